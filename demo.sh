@@ -3,7 +3,7 @@
 # From a scan to a ray-traced picture. Installs what is missing (Debian 12 or 13, root or sudo), builds, bakes, renders.
 #   ./demo.sh              the Stanford bunny that Debian ships
 #   ./demo.sh SCAN...      your scans, merged into one scene
-# The results lie in demo/: NAME.pro, NAME.png and the figures as JSON.
+# The results are in demo/: NAME.pro, NAME.png and the figures as JSON.
 set -euo pipefail
 case ${1:-} in
     -*)

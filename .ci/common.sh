@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 # shellcheck shell=bash
-# What demo.sh and test.sh share. Sourced from the repository's root, after `set -euo pipefail`.
+# Functions shared by demo.sh and test.sh. Sourced from the repository's root, after `set -euo pipefail`.
 
 # The build and the scripts read and write plain ASCII numbers whatever the user's language is.
 export LC_ALL=C.UTF-8
@@ -41,7 +41,7 @@ rustUse() {
 installPackages() {
     local missing headers="" as_root=""
     if ! command -v dpkg-query >/dev/null; then
-        say "no dpkg here: expecting the libraries of .ci/packages.txt to be there"
+        say "no dpkg here: the libraries in .ci/packages.txt must be installed already"
         return
     fi
     case " $* " in
@@ -53,7 +53,7 @@ installPackages() {
     missing=$(missingPackages "$@" | tr '\n' ' ')
     [ -n "$missing$headers" ] || return 0
     if [ "$(id -u)" != 0 ]; then
-        command -v sudo >/dev/null || die "run this as root, or as root install: $missing$headers"
+        command -v sudo >/dev/null || die "run this as root, or install as root: $missing$headers"
         as_root="sudo"
     fi
     say "installing $missing$headers"
@@ -125,8 +125,8 @@ buildPreset() {
     say "built in $((SECONDS - started)) s"
 }
 
-# folderInMemory MIB: makes a folder in memory with room for so many MiB, from which programs can be started, and prints it.
-# Returns 1 if no folder in memory will do.
+# folderInMemory MIB: makes a folder in memory with room for MIB MiB that allows starting programs, and prints its
+# path. Returns 1 if there is no such folder.
 folderInMemory() {
     local folder
     [ "$(stat -f -c %T /dev/shm 2>/dev/null)" = tmpfs ] || return 1

@@ -3,7 +3,7 @@
 # the result:
 #   #include "shaders/NAME.spv.h"     defines const uint32_t NAME_spv[]
 # NAME is the file's name up to the first dot, and _vert or _frag after it for those stages. Rebuilt when the shader or
-# anything it includes changes; made small by spirv-opt, unless AS_WRITTEN, and checked by spirv-val, where those are
+# anything it includes changes; optimised by spirv-opt, unless AS_WRITTEN, and checked by spirv-val, if those are
 # installed.
 # pointrt_embed_shaders(TARGET [AS_WRITTEN] VARIANT name FILE...): with NAME (capitals) defined, as FILE_name.
 find_program(POINTRT_GLSLANG glslangValidator REQUIRED DOC "GLSL compiler")
@@ -12,8 +12,8 @@ find_program(POINTRT_SPIRV_VAL spirv-val DOC "SPIR-V validator, optional")
 
 function(pointrt_embed_shaders target)
   cmake_parse_arguments(PARSE_ARGV 1 arg AS_WRITTEN VARIANT "")
-  # Half of what a driver does to a program before it makes machine code of it. Not simplify-instructions, hence neither
-  # -O nor -Os: it reorders products of floats, and pictures would tell whether spirv-opt was there.
+  # Does half of the work of a driver's compiler. Not simplify-instructions, and therefore neither -O nor -Os: it reorders
+  # products of floats, so pictures would depend on whether spirv-opt is installed.
   set(passes
     --eliminate-dead-branches --merge-return --inline-entry-points-exhaustive --eliminate-dead-functions
     --private-to-local --scalar-replacement=0 --ssa-rewrite --ccp --eliminate-dead-branches
@@ -40,7 +40,7 @@ function(pointrt_embed_shaders target)
     set(output ${folder}/shaders/${name}.spv)
     set(optimize "")
     if(POINTRT_SPIRV_OPT AND NOT arg_AS_WRITTEN)
-      # the bindings stay, used or not: one descriptor set serves several programs
+      # keeps unused bindings, because one descriptor set serves several programs
       set(optimize COMMAND ${POINTRT_SPIRV_OPT} --target-env=vulkan1.2 --preserve-bindings
         ${passes} ${output} -o ${output})
     endif()

@@ -1,21 +1,21 @@
 # SPDX-License-Identifier: Apache-2.0
 # The warnings every target of this project is compiled with.
-# Other people's headers come in as system includes (imported targets, or SYSTEM), so that theirs stay silent.
+# Headers of other projects are system includes (imported targets, or SYSTEM), so they give no warnings.
 
 add_compile_options(-Wall -Wextra -Wshadow)
-# GCC 12 takes "text" + std::string for overlapping copies (GCC bug 105651).
+# GCC 12 mistakes "text" + std::string for overlapping copies (GCC bug 105651).
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_LESS 13)
   add_compile_options(-Wno-restrict)
 endif()
 if(POINTRT_WERROR)
   add_compile_options(-Werror)
 endif()
-# It takes our formats for those of Microsoft's old C library, which mingw-w64 replaces; other compilers check them.
+# It mistakes our formats for those of Microsoft's old C library, which mingw-w64 replaces; other compilers check them.
 if(MINGW)
   add_compile_options(-Wno-format -Wno-format-extra-args)
 endif()
-# With precompiled headers GCC's optimiser has more to tell of the library's own strings and vectors, falsely as far as
-# looked at. So that is no error there; of three kinds GCC 12 is not asked at all. Builds without them see to the rest.
+# With precompiled headers GCC's optimiser warns more about the library's own strings and vectors; all warnings examined were
+# false. They are not errors there, and three kinds are turned off for GCC 12. Builds without precompiled headers check the rest.
 if(POINTRT_PRECOMPILE AND CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
   set(out_of_library array-bounds stringop-overflow stringop-overread)
   foreach(warning IN LISTS out_of_library

@@ -1,12 +1,12 @@
 # SPDX-License-Identifier: Apache-2.0
-# pointrt_precompile(): the headers of other people that most sources want are read once, not once a source, which takes
-# half of a build. Called when all targets stand. Each target takes the set of headers that what it links allows.
-# Only where there is no ccache: that would have to be told to overlook things, and what it keeps is faster still. So
-# builds with it see whether each source includes what it uses, as does the asan preset.
+# pointrt_precompile(): precompiles the headers of other projects that most sources include, because reading them for each
+# source takes half of a build. Call it after all targets are defined. Each target gets the headers of the libraries it links.
+# Only without ccache, which would need special settings for this and is even faster. Builds with ccache, and the asan
+# preset, check that each source includes what it uses.
 include_guard(GLOBAL)
 
 option(POINTRT_PRECOMPILE "Read other people's headers once, not once a source" ${POINTRT_WITHOUT_CCACHE})
-# Lines without variables are enough to know where a program was, and take a tenth less.
+# Debug information without variables is enough for stack traces, and saves a tenth of the time.
 if(POINTRT_PRECOMPILE AND CMAKE_CXX_COMPILER_ID MATCHES "GNU|Clang")
   add_compile_options($<$<CONFIG:RelWithDebInfo>:-g1>)
 endif()
@@ -17,7 +17,7 @@ set(POINTRT_STANDARD_HEADERS
   <random> <set> <span> <sstream> <stdexcept> <string> <string_view> <system_error> <thread> <unordered_map> <utility>
   <variant> <vector>)
 
-# What the sources of `target` may include headers of, through all that it links.
+# The libraries whose headers the sources of `target` may include, through everything that it links.
 function(pointrt_links result target)
   get_target_property(links ${target} POINTRT_LINKS)
   if(NOT links)
@@ -41,15 +41,15 @@ function(pointrt_links result target)
   set(${result} "${links}" PARENT_SCOPE)
 endfunction()
 
-# Tests run for seconds and are compiled for minutes. Headers are read by the options that they were precompiled with.
+# Tests run for seconds but compile for minutes. Headers must be used with the options that they were precompiled with.
 function(pointrt_optimize_less target)
   if("GTest::gtest" IN_LIST links AND CMAKE_CXX_COMPILER_ID MATCHES "GNU|Clang")
     target_compile_options(${target} PRIVATE $<$<CONFIG:RelWithDebInfo>:-Og>)
   endif()
 endfunction()
 
-# The target that holds the headers which sources with these links share; made where it is new. Code of theirs that is
-# made otherwise, as `code` has it, needs headers that are.
+# The target with the precompiled headers for sources that link these libraries; created if it does not exist. Code compiled
+# in another way (`code`) needs headers compiled in that way.
 function(pointrt_header_set result links code)
   set(name pointrt_headers${code})
   set(headers ${POINTRT_STANDARD_HEADERS})
@@ -82,7 +82,7 @@ function(pointrt_header_set result links code)
 endfunction()
 
 # How a target's code is made: "" (by default), "_shared" (position independent), "_uncontracted" (no fused multiply and
-# add) or "other", of which there is too little for headers of its own.
+# add) or "other", which is too rare for its own headers.
 set(POINTRT_UNCONTRACTED -ffp-contract=off)
 function(pointrt_code_of result target)
   get_target_property(shared ${target} POSITION_INDEPENDENT_CODE)
@@ -131,14 +131,14 @@ function(pointrt_precompile)
   if(NOT POINTRT_PRECOMPILE)
     return()
   endif()
-  # the libraries whose headers are among them: what a folder found is known in that folder
+  # the libraries whose headers are included: imported targets are known only in the folder that found them
   if(POINTRT_BUILD_BAKE)
     find_package(Eigen3 3.4 REQUIRED NO_MODULE)
   endif()
   if(POINTRT_BUILD_TESTS)
     find_package(GTest REQUIRED)
   endif()
-  # not those of the build's folder, where an earlier configuration may have left some
+  # not those in the build folder, which may be left over from an earlier configuration
   get_property(added DIRECTORY ${PROJECT_SOURCE_DIR} PROPERTY SUBDIRECTORIES)
   foreach(room IN ITEMS format preprocess runtime tests)
     if(${PROJECT_SOURCE_DIR}/${room} IN_LIST added)

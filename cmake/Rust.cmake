@@ -1,15 +1,15 @@
 # SPDX-License-Identifier: Apache-2.0
-# pointrt_find_rust(RESULT FOLDER): RESULT is "" where the crate in FOLDER can be built here, else why not. Looks once,
-# and again when the crate's list of dependencies changes.
+# pointrt_find_rust(RESULT FOLDER): RESULT is "" if the crate in FOLDER can be built here, otherwise the reason why not. Checks
+# once, and again when the crate's list of dependencies changes.
 # pointrt_rust_library(TARGET FOLDER): the crate's static library; FOLDER's Cargo.toml names it libTARGET.a.
 include_guard(GLOBAL)
 
-# Debian 13's: what Cargo.toml asks for.
+# The version in Debian 13, which Cargo.toml requires.
 set(POINTRT_RUST_OLDEST 1.85)
 set(POINTRT_RUST_ADVICE
   "install Debian 12's cargo-web and rustc-web, Debian 13's cargo and rustc, or any Rust from ${POINTRT_RUST_OLDEST} on")
 
-# For Windows the crates come as what mingw-w64 links, with what Rust's library asks of the system.
+# For Windows, the crates are compiled for mingw-w64, with the system libraries that Rust's library needs.
 set(POINTRT_RUST_TARGET "")
 set(POINTRT_RUST_SYSTEM ${CMAKE_DL_LIBS} m)
 if(MINGW)
@@ -21,7 +21,7 @@ find_program(POINTRT_CARGO cargo DOC "Builds what reads LAZ and E57 files")
 find_program(POINTRT_RUSTC rustc DOC "Builds what reads LAZ and E57 files")
 mark_as_advanced(POINTRT_CARGO POINTRT_RUSTC)
 
-# The version of a program of Rust, "" where it does not run.
+# The version of a Rust program; "" if it does not run.
 function(pointrt_rust_version result program)
   set(${result} "" PARENT_SCOPE)
   if(program)
@@ -53,7 +53,7 @@ libstd-rust-dev-windows" PARENT_SCOPE)
       return()
     endif()
   endif()
-  # The crates come now, so that a build without a network says at once what it goes without.
+  # Downloads the crates now, so that a build without a network reports at once which features it lacks.
   file(SHA256 ${folder}/Cargo.lock lock)
   if(NOT lock STREQUAL "${POINTRT_CRATES_FETCHED}")
     execute_process(COMMAND ${POINTRT_CARGO} fetch --locked --manifest-path ${folder}/Cargo.toml

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
-# Toolchain: programs for 64-bit Windows from Debian's g++-mingw-w64-x86-64-posix, which need no library but the system's.
+# Toolchain: builds programs for 64-bit Windows with Debian's g++-mingw-w64-x86-64-posix; they need only system libraries.
 #   cmake --toolchain cmake/mingw-w64.cmake -D POINTRT_WINDOWS_LIBRARIES=FOLDER ...
-# FOLDER is what packaging/windows/libraries.sh makes.
+# FOLDER is made by packaging/windows/libraries.sh.
 set(CMAKE_SYSTEM_NAME Windows)
 set(CMAKE_SYSTEM_PROCESSOR x86_64)
 set(CMAKE_C_COMPILER x86_64-w64-mingw32-gcc-posix)
@@ -17,8 +17,8 @@ foreach(kind IN ITEMS LIBRARY INCLUDE PACKAGE)
 endforeach()
 set(ENV{PKG_CONFIG_LIBDIR} ${POINTRT_WINDOWS_LIBRARIES}/lib/pkgconfig) # not this system's
 set(ZLIB_USE_STATIC_LIBS ON)
-# -static: GCC's libraries, and winpthreads. Stacks of 8 MiB, as Linux gives threads; the linker's default is 2. Programs
-# and libraries have no date.
+# -static: for GCC's libraries and winpthreads. Stacks of 8 MiB, as on Linux; the linker's default is 2. Programs and
+# libraries contain no date.
 set(CMAKE_EXE_LINKER_FLAGS_INIT "-static -Wl,--stack,8388608 -Wl,--no-insert-timestamp")
 set(CMAKE_SHARED_LINKER_FLAGS_INIT -Wl,--no-insert-timestamp)
 set(CMAKE_MODULE_LINKER_FLAGS_INIT "-static -Wl,--no-insert-timestamp")

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 # shellcheck shell=bash disable=SC2034 # its variables are for the script that sources it
-# What the scripts share that make archives of the tools. Sourced from the repository's root, after .ci/common.sh.
+# Functions shared by the scripts that make archives of the tools. Source it from the repository's root, after
+# .ci/common.sh.
 
 export SOURCE_DATE_EPOCH=${SOURCE_DATE_EPOCH:-$(git log -1 --format=%ct 2>/dev/null || stat -c %Y CHANGELOG.md)}
 umask 022
@@ -18,7 +19,7 @@ installTree() {
     done
 }
 
-# copyLicences FOLDER PACKAGE...: copies the licences of packages, which may be unpacked and not installed, into a folder.
+# copyLicences FOLDER PACKAGE...: copies the licences of packages (unpacked or installed) into a folder.
 copyLicences() {
     local folder=$1 package copyright
     shift

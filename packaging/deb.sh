@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# Builds the packages of this Debian (12 or 13), installing what is missing: pointrt, libpointrt-dev and pointrt-doc,
-# and pointrt.spdx.json, which lists what is in them. They lie in build/package/packages, and have no
-# date but that of the newest commit, and no path of this machine: tests/release/reproducible.sh.
+# Builds the packages for this Debian release (12 or 13), installing what is missing: pointrt, libpointrt-dev and
+# pointrt-doc, and pointrt.spdx.json, their bill of materials. The result is in build/package/packages. Reproducible: the
+# only date is that of the newest commit, and there are no paths of this machine (tests/release/reproducible.sh).
 set -euo pipefail
 cd "$(dirname "$0")/.."
 . .ci/common.sh

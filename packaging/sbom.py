@@ -1,8 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""What pointrt is built of, as SPDX 2.3 JSON on standard output: the packages of .ci/packages.txt that are compiled in
-or linked, at the versions that are installed here, and the crates of format/pointio/Cargo.lock.
-SOURCE_DATE_EPOCH is the date that it bears."""
+"""Prints the bill of materials of pointrt as SPDX 2.3 JSON: the packages in .ci/packages.txt that are compiled in or
+linked, with the versions installed here, and the crates in format/pointio/Cargo.lock. SOURCE_DATE_EPOCH is its date."""
 
 import json
 import os
@@ -16,10 +15,10 @@ from urllib.parse import quote
 
 ROOT = Path(__file__).resolve().parent.parent
 
-# Tools that build and leave nothing of themselves in what is built.
+# Build tools, which leave no part of themselves in the result.
 TOOLS = {"cmake", "ninja-build", "pkg-config", "glslang-tools", "spirv-tools", "ca-certificates",
          "cargo", "cargo-web", "mesa-vulkan-drivers"}
-# Where packages.txt says "bake", pointrt-bake alone has it.
+# "bake" in packages.txt means that only pointrt-bake uses the package.
 PARTS_OF = {"build": "all tools", "bake": "pointrt-bake", "view": "pointrt-view, pointrt-rays and pointrt::trace",
             "rust12": "pointrt-bake, pointrt-info and pointrt-rays", "rust13": "pointrt-bake, pointrt-info and pointrt-rays"}
 
@@ -33,13 +32,13 @@ def listed_packages():
 
 
 def installed_version(package):
-    """Empty where the package is not installed."""
+    """The installed version; empty if the package is not installed."""
     query = subprocess.run(["dpkg-query", "-W", "-f", "${Version}", package], capture_output=True, text=True)
     return query.stdout if query.returncode == 0 else ""
 
 
 def crates():
-    """(name, version, SHA-256) of what comes from crates.io."""
+    """(name, version, SHA-256) of the crates from crates.io."""
     for crate in tomllib.loads((ROOT / "format/pointio/Cargo.lock").read_text())["package"]:
         if "checksum" in crate:
             yield crate["name"], crate["version"], crate["checksum"]

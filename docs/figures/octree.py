@@ -2,13 +2,13 @@
 # SPDX-License-Identifier: Apache-2.0
 """Draws a slice through the octree of a .pro file as SVG: octree.py FILE.pro OUT.svg [DEPTH [X0,X1,Y0,Y1]]
 
-DEPTH: of the slice in the cube, 0 to 1, along z; the rest: the part of the cube to draw. Reads the file by format/SPEC.md
-with nothing but Python, and so is an example of how to read one.
+DEPTH: depth of the slice in the cube along z, 0 to 1. X0,X1,Y0,Y1: the part of the cube to draw.
+Reads the file according to format/SPEC.md in pure Python, so it is also an example of how to read one.
 """
 import struct
 import sys
 
-HEADER_SECTION_COUNT, TABLE, RECORD = 32, 512, 64  # bytes
+HEADER_SECTION_COUNT, TABLE, RECORD = 32, 512, 64  # all sizes in bytes
 RADIUS_MAX, RADIUS_STEP = 68, 72
 INNER, SLOTS = 1 << 31, 8
 
@@ -45,7 +45,7 @@ def decodeSplat(row, radius_max, radius_step):
 
 
 def cutLeaves(nodes, z):
-    """The leaves that the slice cuts: corner, edge, and the leaf's number or None if it is empty."""
+    """The leaves that the slice cuts: corner, edge, and the leaf's number (None if it is empty)."""
     leaves, left = [], [(0, (0.0, 0.0, 0.0), 1.0)]
     while left:
         node, low, edge = left.pop()
@@ -63,7 +63,7 @@ def cutLeaves(nodes, z):
 
 
 def chord(splat, z):
-    """Both ends, in x and y, of the line in which the slice cuts a disc; None if it does not."""
+    """Both ends, in x and y, of the line along which the slice cuts a disc; None if it does not."""
     (x, y, height), (nx, ny, nz), radius = splat
     across = (nx * nx + ny * ny) ** 0.5
     if across < 1e-6:

@@ -38,7 +38,7 @@ std::string_view nearestName(std::string_view text, std::span<const std::string_
         const std::size_t distance = editDistance(text, name);
         if (distance < least) std::tie(least, nearest) = std::tie(distance, name);
     }
-    if (!nearest.empty() || text.size() < 2) return nearest; // a single letter starts many names
+    if (!nearest.empty() || text.size() < 2) return nearest; // a single letter begins many names
     const auto longer = std::find_if(names.begin(), names.end(), [&](auto name) { return name.starts_with(text); });
     return longer == names.end() ? std::string_view() : *longer;
 }

@@ -10,7 +10,7 @@ namespace pointrt {
 /// directly. Throws Error kCannotWrite "PATH: reason".
 void writeReport(const std::string& path, const std::string& text);
 
-/// Throws like writeReport if that is sure to fail. To be called before long work.
+/// Throws as writeReport does if that is sure to fail. Call it before long work.
 void requireReportWritable(const std::string& path);
 
 } // namespace pointrt

@@ -20,7 +20,7 @@ namespace {
 namespace fs = std::filesystem;
 using namespace std::string_view_literals;
 
-/// A kind of file that users have beside .pro files.
+/// A kind of file that users may pass in place of a .pro file.
 struct Kind {
     std::string_view signature, title; ///< first bytes, or suffix
     bool can_bake = true;              ///< advise pointrt-bake, which decides what it can read

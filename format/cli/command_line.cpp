@@ -223,7 +223,7 @@ std::optional<int> parseCommandLine(CommandLine& app, int argc, const char* cons
     } catch (const Generated& generated) {
         print(generated.text);
     } catch (const CLI::ParseError& error) {
-        // a missing option may be there, misspelt
+        // a missing option may be present but misspelt
         const std::string unexpected = unexpectedArgument(app, outputs);
         refuse(unexpected.empty() ? reasonOf(error) : unexpected);
     }

@@ -26,8 +26,8 @@ struct CommandLine : CLI::App {
 /// Suffixes of output files, with the option to suggest when such a file is given without one: {".png", "-o"}.
 using OutputSuffixes = std::initializer_list<std::pair<std::string_view, std::string_view>>;
 
-/// Sets the values that shells offer for an option if its placeholder does not imply them: words, or suffixes of files
-/// with their dots, separated by spaces. Placeholders with bars such as on|off imply words, FILE and FOLDER imply
+/// Sets the values that shells complete for an option if its placeholder does not imply them: words, or suffixes of
+/// files with their dots, separated by spaces. Placeholders with bars such as on|off imply words, FILE and FOLDER imply
 /// files.
 void completes(CommandLine& app, const std::string& option, const std::string& candidates);
 

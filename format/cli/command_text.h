@@ -13,7 +13,7 @@ struct ValueText {
     std::string placeholder;        ///< as --help shows it: "FILE", "auto|off|STRENGTH"; empty for a switch
     std::vector<std::string> words; ///< literal values; a placeholder with capitals allows others too
     bool is_file = false;
-    std::vector<std::string> suffixes; ///< of the files to offer, with their dots; empty: all files
+    std::vector<std::string> suffixes; ///< suffixes of the files to complete, with their dots; empty: all files
 };
 
 /// An option, or the positional argument, which has no names.
@@ -36,7 +36,7 @@ struct CommandText {
     std::vector<OptionText> options; ///< in the order of --help, grouped by heading
     std::string examples;    ///< lines: "  COMMAND", or "  COMMAND   DESCRIPTION" with three spaces or more between
     std::string notes;       ///< paragraphs, separated by empty lines; other line breaks do not count
-    std::string wrong_input; ///< when exit code 1 is returned: "a scan is malformed"
+    std::string wrong_input; ///< the meaning of exit code 1: "a scan is malformed"
     std::vector<CommandText> commands; ///< subcommands
 };
 

@@ -25,7 +25,7 @@ std::string troff(std::string_view text) {
     return result;
 }
 
-/// text as lines of troff, none of which is taken for a request. An empty line starts a paragraph.
+/// Converts text to lines of troff that are not mistaken for requests. An empty line starts a paragraph.
 std::string troffLines(std::string_view text) {
     std::string result;
     while (!text.empty()) {

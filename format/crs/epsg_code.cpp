@@ -16,7 +16,7 @@ int numberIn(std::string_view text) {
     return failure == std::errc() && end == text.data() + text.size() && code > 0 && code <= kMost ? code : 0;
 }
 
-/// "EPSG","2056" or "EPSG",2056, the content of AUTHORITY or ID.
+/// The code in "EPSG","2056" or "EPSG",2056, the content of AUTHORITY or ID.
 int codeOf(std::string_view authority) {
     const std::size_t comma = authority.find(',');
     if (comma == authority.npos || !authority.starts_with("\"EPSG\"")) return 0;

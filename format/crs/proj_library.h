@@ -3,11 +3,11 @@
 #pragma once
 
 #include <proj.h>
-#include <proj_experimental.h> // creating systems from their parts; GDAL depends on it, too
+#include <proj_experimental.h> // creates systems from their parts; GDAL depends on it, too
 
 namespace pointrt {
 
-/// Every function of PROJ 9 that is called; add a name here to use one more.
+/// Every function of PROJ 9 that is called; to use another one, add its name here.
 #define POINTRT_PROJ_FUNCTIONS(X)                                                                                      \
     X(proj_context_create)                                                                                             \
     X(proj_context_destroy)                                                                                            \

@@ -96,7 +96,7 @@ std::optional<AreaOfUse> statedArea(PJ_CONTEXT* context, const PJ* crs) {
     return area;
 }
 
-/// WKT rarely states the area; its EPSG code leads to it.
+/// WKT rarely states the area of use; its EPSG code leads to it.
 std::optional<AreaOfUse> areaOfUse(PJ_CONTEXT* context, const PJ* crs) {
     if (const auto area = statedArea(context, crs)) return area;
     const char* authority = proj().proj_get_id_auth_name(crs, 0);
@@ -147,7 +147,7 @@ std::optional<double> meridianConvergenceDeg(std::string_view crs, double latitu
     place.lp = {longitude_deg * kRadiansPerDegree - primeMeridianRadians(context.get(), object.get()),
                 latitude_deg * kRadiansPerDegree};
     const PJ_FACTORS factors = proj().proj_factors(object.get(), place);
-    const bool is_defined = factors.meridional_scale != 0; // all factors are 0 where PROJ fails
+    const bool is_defined = factors.meridional_scale != 0; // all factors are 0 if PROJ fails
     if (!is_defined || !std::isfinite(factors.meridian_convergence)) return {};
     return factors.meridian_convergence / kRadiansPerDegree;
 }
@@ -165,7 +165,7 @@ std::optional<GeographicPlace> geographicPlace(std::string_view crs, double east
     PJ_COORD place{};
     place.xy = {easting * metres, northing * metres};
     place = proj().proj_trans(transform.get(), PJ_FWD, place);                         // latitude first, in degrees
-    const bool is_defined = std::abs(place.xy.x) <= 90 && std::abs(place.xy.y) <= 180; // else infinite
+    const bool is_defined = std::abs(place.xy.x) <= 90 && std::abs(place.xy.y) <= 180; // otherwise infinite
     if (!is_defined) return {};
     return GeographicPlace{place.xy.x, place.xy.y};
 }

@@ -30,7 +30,7 @@ std::optional<ProjectedCrs> projectedCrs(std::string_view crs);
 /// Meridian convergence: the angle from true north to grid north, clockwise, in degrees.
 /// @param crs as for projectedCrs
 /// @param longitude_deg from Greenwich
-/// @return none where projectedCrs has none, and where the projection is not defined
+/// @return nullopt if projectedCrs returns it, or if the projection is not defined there
 /// @throws Error as projectedCrs does
 std::optional<double> meridianConvergenceDeg(std::string_view crs, double latitude_deg, double longitude_deg);
 
@@ -38,10 +38,10 @@ struct GeographicPlace {
     double latitude_deg = 0, longitude_deg = 0; ///< north and east positive, from Greenwich
 };
 
-/// Where a point of a projected system lies, in WGS 84; without grids of datum shifts accurate to some 100 m.
+/// The WGS 84 position of a point in a projected system; without datum shift grids accurate to some 100 m.
 /// @param crs as for projectedCrs
 /// @param easting, northing in the system's unit
-/// @return none where projectedCrs has none, and outside the projection
+/// @return nullopt if projectedCrs returns it, or outside the projection
 /// @throws Error as projectedCrs does
 std::optional<GeographicPlace> geographicPlace(std::string_view crs, double easting, double northing);
 

@@ -21,8 +21,8 @@ namespace pointrt {
 
 namespace {
 
-/// The lists of most scans have 10 numbers per splat, those of very unevenly sampled scans 130. Only hostile files have
-/// many more, and get a coarser grid.
+/// The index may have this many list numbers per splat. Most scans have 10, very unevenly sampled ones 130; only
+/// hostile files have many more, and get a coarser grid.
 constexpr std::size_t kListedPerSplat = 1024, kListedMin = std::size_t{1} << 24;
 
 /// Nodes per run, the unit of work of a thread.
@@ -82,7 +82,7 @@ Discs likeliestFirst(const Discs& discs, const CellBox& box) {
 
 std::size_t listedBy(const Part& part) { return part.listed.size() + part.blending.size(); }
 
-/// The length of the lists of all parts so far, and its limit.
+/// Total length of the lists of all parts so far, and its limit.
 struct ListedTotal {
     std::size_t limit;
     std::atomic<std::size_t> listed{0};
@@ -215,7 +215,7 @@ private:
 
     /// The word of a cell; kEmptyWord if no disc crosses it.
     std::uint32_t emit(const CellLists& lists, const CellBox& box, std::uint32_t halvings) {
-        if (lists.hittable.empty()) return kEmptyWord; // rays cannot hit slabs alone
+        if (lists.hittable.empty()) return kEmptyWord; // rays cannot hit slabs without discs
         const bool divisible = halvings < halvings_ && box.half_edge >= kMinHalfEdge * box.slack;
         if (divisible && lists.hittable.size() > kMaxDiscs) {
             const std::uint32_t word = halve(lists, box, halvings);
@@ -264,7 +264,7 @@ private:
     std::uint32_t halvings_; ///< maximum
     std::vector<CellDisc> discs_;
     std::vector<ListedCell> listed_; ///< of the brick
-    std::size_t first_cell_ = 0;     ///< index of the first one
+    std::size_t first_cell_ = 0;     ///< index of the first of them
     std::array<CellLists, PRO_BRICK_WORDS> cells_;
 };
 
@@ -320,7 +320,7 @@ bool fits(const std::vector<Part>& parts, const BrickLimits& limits) {
     return end.near + end.blending <= limits.listed && std::max(end.cells, end.groups) <= limits.cells;
 }
 
-/// Packs two numbers per word. An empty list becomes one word, because a Vulkan buffer cannot be empty.
+/// Packs two numbers per word. An empty list becomes one word, because Vulkan buffers cannot be empty.
 void appendNumbers(Words& all, std::vector<Part>& parts) {
     for (Part& part : parts) {
         for (std::size_t i = 0; i < part.blending.size(); i += 2)
@@ -380,14 +380,14 @@ std::vector<Part> buildParts(const pro_info& info, const pro_view& view, const E
 Bricks buildBricks(const pro_info& info, const pro_view& view, EntryGrid& grid, const IndexOptions& given) {
     IndexOptions options = given;
     options.limits.listed = std::min(given.limits.listed, kListedMin + kListedPerSplat * info.splat_count);
-    double reported = 0; // with another grid the work starts over, but progress must not go back
+    double reported = 0; // progress must not go back when the work starts over with another grid
     if (given.progress) options.progress = [&](double share) { given.progress(reported = std::max(reported, share)); };
     std::vector<Part> parts = buildParts(info, view, grid, options);
     while (!fits(parts, options.limits)) {
         const std::uint32_t depth = PRO_POSITION_BITS - grid.shift;
         if (depth == 0)
             throw Error(ExitCode::kCannotRun, "the splats need more cells and lists than a tracing index can hold");
-        parts.clear(); // free their memory before the next ones
+        parts.clear(); // frees their memory before the next ones
         grid = frameEntryGrid(info, view, depth - 1);
         parts = buildParts(info, view, grid, options);
     }

@@ -67,8 +67,8 @@ std::uint32_t bits(std::int32_t value, std::uint32_t count) {
 
 constexpr float kMaxHalf = 65504;
 
-/// Rounds down to one of a few values, all of them half floats, so that lists that differ in a disc or two, such as
-/// those of pruned and unpruned files, get the same value.
+/// Rounds down to one of a few values that are half floats, so that lists which differ in a disc or two, such as those
+/// of pruned and unpruned files, get the same value.
 float sixteenthOctaveBelow(float value) {
     const float step = std::ldexp(0.0625f, std::ilogb(value));
     return std::floor(value / step) * step;
@@ -110,13 +110,13 @@ std::uint32_t radiusCode(float squared) {
     return rounded <= PRO_NEAR_RADIUS_BIAS ? 0u : (rounded - PRO_NEAR_RADIUS_BIAS) >> PRO_NEAR_RADIUS_SHIFT;
 }
 
-/// std::lround, which compilers do not inline.
+/// Like std::lround, which compilers do not inline.
 std::int32_t rounded(float value) { return static_cast<std::int32_t>(value + (value < 0 ? -0.5f : 0.5f)); }
 
 /// Rounds a position to one of the eight lattice points around it, preferring those close to the disc's plane: an error
-/// across the plane changes which of two discs a ray hits first, one in the plane only moves the rim.
+/// across the plane changes which of two discs a ray hits first, but one in the plane only moves the rim.
 std::array<std::int32_t, 3> positionCodes(const Vector& position, const Vector& normal) {
-    // cost of squared distance across the plane, compared to that in it
+    // cost of a squared distance across the plane, relative to one in it
     constexpr float kHeightWeight = 16;
     std::array<std::int32_t, 3> best{};
     float least = std::numeric_limits<float>::infinity();
@@ -148,13 +148,13 @@ void appendNear(const Place& place, const Vector& n, float codes, std::vector<st
         normal = normal << PRO_NEAR_NORMAL_BITS | bits(rounded(n[axis] * normal_codes), PRO_NEAR_NORMAL_BITS);
     }
     const std::uint32_t coded = radiusCode(place.radius * codes * place.radius * codes);
-    const std::uint32_t radius = ball ? std::max(coded, 1u) : coded; // a ball of radius code 0 would be none
+    const std::uint32_t radius = ball ? std::max(coded, 1u) : coded; // a ball with radius code 0 would mean no splat
     near.push_back(position << PRO_NEAR_RADIUS_HIGH_BITS | radius >> PRO_NEAR_RADIUS_LOW_BITS);
     near.push_back(normal << PRO_NEAR_RADIUS_LOW_BITS | bits(radius, PRO_NEAR_RADIUS_LOW_BITS));
 }
 
-/// Upper bound of the places' coordinates, in edges. Discs overlap the cell, so the largest radius bounds them, and
-/// lists that differ in another disc get the same bound.
+/// Upper bound of the places' coordinates, in edges. Discs overlap the cell, so the largest radius gives a bound, which
+/// is the same for lists that differ in another disc.
 float reachOf(std::span<const Place> places, const CellBox& box) {
     float radius = 0;
     for (const Place& place : places) radius = std::max(radius, place.radius);

@@ -206,7 +206,7 @@ private:
         const auto base = static_cast<std::uint32_t>(out_.listed.size());
         const float codes = encodeNear(in_row, block, out_.near);
         for (const CellDisc* disc : in_row) out_.listed.push_back(disc->splat);
-        if (out_.listed.size() % 2) { // a normal of 0 is never hit
+        if (out_.listed.size() % 2) { // fills up with a normal of 0, which is never hit
             out_.listed.push_back(0);
             out_.near.insert(out_.near.end(), PRO_NEAR_WORDS, 0u);
         }

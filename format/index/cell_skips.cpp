@@ -98,7 +98,7 @@ private:
         if (number >= brick_count_) reach_[grid_index] = std::max(reach_[grid_index], block[0]);
     }
 
-    /// 1 + the minimum over the 7 neighbours towards the octant, as in the grid.
+    /// As in the grid: 1 + the minimum over the 7 neighbours towards the octant.
     static std::uint8_t skipFrom(const Block& block, std::uint32_t at) {
         constexpr std::uint32_t y = kBlockSide, z = kBlockSide * kBlockSide;
         const std::uint8_t* p = block.data() + at;

@@ -14,7 +14,7 @@ constexpr float kInfinity = std::numeric_limits<float>::infinity();
 /// Smaller components of normals are skipped: dividing by them would amplify rounding beyond the slack of cubes, 1/1000
 /// of their edge. Results without them are still conservative.
 constexpr float kMinComponent = 1.0f / 64;
-/// For the same reason discs with a radius of more half edges are treated as planes.
+/// For the same reason, discs with a radius of more than this many half edges are treated as planes.
 constexpr float kLargestDisc = 32;
 
 /// Vector from the disc's centre to the point of the cube closest to centre - shift * normal.
@@ -32,8 +32,8 @@ struct Shift {
     float shift, height;
 };
 
-/// The two shifts around height 0 at which a coordinate starts or ends to be clamped; between them the height is
-/// linear.
+/// The two shifts, on either side of height 0, at which clamping of a coordinate starts or ends; between them the
+/// height is linear.
 struct Bracket {
     Shift above{-kInfinity, kInfinity}, below{kInfinity, -kInfinity};
 
@@ -85,7 +85,8 @@ bool overlapsCube(const PlacedDisc& disc, float half) {
     if (!bracket.isClosed()) return true;
     const float shift = bracket.root();
     const Vector to = toNearest(disc, shift, half);
-    // the minimum of |to|^2 + 2 shift height over the cube: for any shift a lower bound for points in the plane
+    // for any shift, the minimum of |to|^2 + 2 shift height over the cube: for any shift a lower bound for points in
+    // the plane
     return dot(to, to) + 2 * shift * dot(disc.normal, to) <= disc.radius * disc.radius;
 }
 

@@ -12,16 +12,16 @@ namespace pointrt {
 
 namespace {
 
-/// The grid has the depth of most splats, so that rays seldom descend below it, unless that needs more words per leaf
-/// than this: 6 bytes per splat for an evenly sampled scan with some 90 splats per leaf.
+/// The grid has the depth of most splats, so that rays seldom descend below it, unless that would need more words per
+/// leaf than this: 6 bytes per splat for an evenly sampled scan with some 90 splats per leaf.
 constexpr std::uint64_t kWordsPerLeaf = 128;
 /// The cells of a brick keep edges of 32 position steps: planes and traversal allow for 1.5 steps around (kSlackSteps).
 constexpr std::uint32_t kDeepest = PRO_POSITION_BITS - PRO_GRID_SHIFT_MIN;
 constexpr std::uint64_t kMinWords = 1u << 15;
 
-/// Leaves above the grid are divided into its cells, which puts their splats on more lists: by at most a factor of
-/// kMaxLonger. Brick cells with leaves below them are halved (format/index/bricks.cpp) if rays would test more discs
-/// than usual by kMaxCrowded.
+/// Leaves above the grid are divided into its cells, which lengthens the lists of their splats by at most kMaxLonger.
+/// Brick cells with leaves below them are halved (format/index/bricks.cpp) if rays would otherwise test kMaxCrowded
+/// times as many discs as usual.
 constexpr double kMaxLonger = 1.6, kMaxCrowded = 1.1;
 
 using MemberCounts = std::array<double, PRO_MAX_DEPTH + 1>; ///< members of the leaves at each depth
@@ -35,8 +35,8 @@ MemberCounts countMembers(const pro_info& info, const pro_view& view) {
     return members;
 }
 
-/// Mean of value(levels) over the members, with the levels of their leaves below the depth of the grid (negative:
-/// above).
+/// Mean over the members of value(levels), where levels is how far their leaves are below the depth of the grid
+/// (negative: above).
 template <typename Value>
 double meanOf(const MemberCounts& members, std::uint32_t depth, const Value& value) {
     double sum = 0, count = 0;

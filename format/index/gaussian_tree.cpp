@@ -39,7 +39,7 @@ public:
         for (double& each : reach_) each = std::sqrt(each);
     }
 
-    /// Diameter of the disc that covers as much as the two longest axes; 0 if the ellipsoid is empty.
+    /// Diameter of the disc with the area of the two longest axes; 0 if the ellipsoid is empty.
     double diameter() const {
         Vec lengths{std::sqrt(dot(axes_[0], axes_[0])), std::sqrt(dot(axes_[1], axes_[1])),
                     std::sqrt(dot(axes_[2], axes_[2]))};
@@ -67,7 +67,7 @@ public:
 private:
     Vec times(const Vec& x) const { return {dot(form_[0], x), dot(form_[1], x), dot(form_[2], x)}; }
 
-    /// A point of the box, relative to the centre, of small |x|^2.
+    /// A point of the box, relative to the centre, where |x|^2 is small.
     Vec descend(const CellBox& box) const {
         Vec x;
         for (std::size_t i = 0; i < 3; ++i) x[i] = std::clamp(0.0, box.low[i] - center_[i], box.high[i] - center_[i]);
@@ -109,7 +109,7 @@ bool isInCube(const Vec& center, const Vec& reach) {
     return true;
 }
 
-/// The depth whose cells are the smallest that are not shorter than the diameter, and fineness depths more.
+/// The depth of the smallest cells that are at least as long as the diameter, plus fineness.
 std::uint32_t depthFor(double diameter, int fineness) {
     int exponent = 0;
     std::frexp(diameter, &exponent); // diameter <= 2^exponent
@@ -133,7 +133,8 @@ struct TreeCell {
 
 double edgeAt(std::uint32_t depth) { return std::ldexp(1.0, -static_cast<int>(depth)); }
 
-/// Lists a Gaussian in the cells of a depth that it meets in or below a cell: a needle meets few of those in its box.
+/// Lists a Gaussian in the cells of a depth that it overlaps, at or below a cell: a needle overlaps few of the cells in
+/// its box.
 void enterBelow(const EllipsoidTest& test, std::uint32_t gaussian, const TreeCell& cell, std::uint32_t depth,
                 std::vector<Entry>& level) {
     if (!test.meets(grownBox(cell.at, edgeAt(cell.depth)))) return;
@@ -145,7 +146,7 @@ void enterBelow(const EllipsoidTest& test, std::uint32_t gaussian, const TreeCel
     }
 }
 
-/// Lists one Gaussian: from the cells on that are as long as its box, of which it meets at most 8.
+/// Lists one Gaussian, starting from the cells that are as long as its box, of which it overlaps at most 8.
 void enter(const GaussianEllipsoid& ellipsoid, std::uint32_t gaussian, int fineness, Levels& levels) {
     const EllipsoidTest test(ellipsoid);
     const Vec& reach = test.reach();
@@ -171,7 +172,7 @@ void enter(const GaussianEllipsoid& ellipsoid, std::uint32_t gaussian, int finen
 
 /// The entries of all Gaussians by depth, each sorted.
 Levels enterAll(std::span<const GaussianEllipsoid> gaussians, int fineness, std::size_t threads) {
-    constexpr std::size_t kEach = 1 << 14; // Gaussians of a task: some milliseconds
+    constexpr std::size_t kEach = 1 << 14; // Gaussians per task, which takes some milliseconds
     std::vector<Levels> parts((gaussians.size() + kEach - 1) / kEach);
     forAll(
         parts.size(),
@@ -240,7 +241,7 @@ public:
 
 private:
     const Levels& levels_;
-    std::size_t depth_ = 0, next_ = 0; ///< the next entry of the current depth
+    std::size_t depth_ = 0, next_ = 0; ///< index of the next entry of the current depth
     std::uint32_t groups_ = 0;
 };
 

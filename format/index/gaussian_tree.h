@@ -13,7 +13,8 @@
 
 namespace pointrt {
 
-/// The region in which a Gaussian counts: there its opacity along a ray may reach PRO_GAUSSIAN_OPACITY_MIN. Cube units.
+/// The region in which a Gaussian counts: outside it, its opacity along a ray is below PRO_GAUSSIAN_OPACITY_MIN. Cube
+/// units.
 struct GaussianEllipsoid {
     std::array<double, 3> center{};
     std::array<std::array<float, 3>, 3> half_axes{}; ///< orthogonal; all zero: the Gaussian counts nowhere
@@ -33,9 +34,9 @@ struct GaussianTree {
     std::uint32_t nodeCount() const { return static_cast<std::uint32_t>(nodes.size() / 2); }
 };
 
-/// How much shorter the cells of a Gaussian are than its ellipsoid, in halvings. Finer trees take more memory and fewer
-/// tests: of 90,854 Gaussians of a guitar, a ray that hits it tests 3,600 at 0 (4.6 list entries per Gaussian), 1,430
-/// at 1 (9.8) and 700 at 2 (25.6), of which 47 count.
+/// How much shorter the cells of a Gaussian are than its ellipsoid, in halvings. Finer trees take more memory and need
+/// fewer tests: in a guitar of 90,854 Gaussians, a ray that hits it tests 3,600 of them at fineness 0 (4.6 list entries
+/// per Gaussian), 1,430 at 1 (9.8) and 700 at 2 (25.6); 47 of them count.
 constexpr int kStoredFineness = 0, kTracedFineness = 2;
 
 /// Lists each Gaussian in the nodes whose cubes its ellipsoid meets, all at one depth: the deepest whose cubes are as

@@ -10,9 +10,9 @@
 namespace pointrt {
 namespace {
 
-constexpr std::size_t kSplatsAtOnce = 16384; // some MiB of columns
+constexpr std::size_t kSplatsAtOnce = 16384; // takes some MiB for columns
 
-/// CloudCompare shows properties of these names as scalar fields, without the prefix.
+/// CloudCompare shows properties with this prefix as scalar fields, without the prefix.
 void prefixAttributes(PointOutline& outline) {
     for (PointColumn& column : outline.columns)
         if (column.role == PointRole::kAttribute) column.name = "scalar_" + column.name;

@@ -20,7 +20,7 @@ void forEachTile(const TileSet& set, const std::string& folder, const UseSplats&
     }
 }
 
-/// Takes from a file what is not in set.json.
+/// Takes from a file the properties that set.json does not have.
 void addFile(const ProFile& file, ExportSource& source) {
     if (!file.gaussians()) return;
     source.has_gaussians = true;

@@ -31,7 +31,7 @@ static_assert(sizeof(Header) == 16);
 
 std::uint8_t byteOf(double value) { return static_cast<std::uint8_t>(std::clamp(std::lround(value), 0l, 255l)); }
 
-/// Signs of y and z, and of the harmonics, after half a turn about x; all 1 without it.
+/// Signs of y and z, and of the harmonics, after half a turn about x; all 1 if it is not turned.
 struct Turn {
     double yz = 1;
     std::array<int, 15> harmonics{1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1};
@@ -43,7 +43,7 @@ Turn turnOf(const std::array<float, 3>& up) {
     return {-1, {-1, -1, 1, -1, 1, 1, -1, 1, -1, 1, -1, -1, 1, -1, 1}};
 }
 
-/// Fewest bits before the point, so that most are left behind it.
+/// The smallest sufficient number of integer bits, so that most bits are fractional.
 int fractionalBits(const PointOutline& outline) {
     double most = 0;
     for (std::size_t axis = 0; axis < 3; ++axis)

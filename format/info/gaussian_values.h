@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Values of Gaussians as files of other programs have them.
+// Values of Gaussians in the conventions of other programs' files.
 #pragma once
 
 #include <cstddef>

@@ -62,7 +62,7 @@ void checkOptions(const Options& options) {
     if (options.scalar_names && path != "-" && !path.ends_with(".ply")) usage("--scalar-names needs --export to PLY");
     if (path.empty()) return;
     if (options.json || options.verify)
-        usage(std::string("--export and ") + (options.json ? "--json" : "--verify") + " exclude each other");
+        usage(std::string("--export and ") + (options.json ? "--json" : "--verify") + " cannot be combined");
     if (path == "-" && isTerminal(kStandardOutput))
         usage("--export -: standard output is a terminal; redirect the splats to a file or a pipe");
     if (path != "-" && isSameFile(options.input, path)) usage(path + ": is the input");

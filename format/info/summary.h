@@ -22,13 +22,13 @@ struct SectionSummary {
     bool required = false;
 };
 
-/// Of section NOIS, in radii and in input units; 0 without it.
+/// Statistics of section NOIS, in radii and in input units; 0 without it.
 struct NoiseSummary {
     double low_radii = 0, median_radii = 0, high_radii = 0;
     double low = 0, high = 0; ///< the median is in the header
 };
 
-/// Of the sections GAUS, GHRM, GNOD, GLST and GEXA; 0 without them.
+/// Statistics of the sections GAUS, GHRM, GNOD, GLST and GEXA; 0 without them.
 struct GaussianSummary {
     std::vector<SectionSummary> sections; ///< in the order of the file
     std::uint64_t bytes = 0;

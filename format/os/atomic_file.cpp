@@ -56,7 +56,7 @@ int openUnnamed(const std::string& folder) {
     return -1;
 }
 
-/// The target of path behind symbolic links, which need not exist. Empty, with errno, if the links form a loop or
+/// The target of path after following symbolic links; it need not exist. Empty, with errno, if the links form a loop or
 /// cannot be read.
 std::string followLinks(std::string path) {
     constexpr int kMostLinks = 40; // the limit of Linux
@@ -96,7 +96,7 @@ bool renameWithoutReplacing(const std::string& from, const std::string& to) {
 #endif
     if (link(from.c_str(), to.c_str()) == 0) return unlink(from.c_str()) == 0;
     if (errno == EEXIST) return false;
-    // The file system has no hard links either, like FAT. There is a race: a file that another process creates between
+    // For file systems without hard links, such as FAT. It has a race: a file that another process creates between
     // access and rename is replaced.
     if (access(to.c_str(), F_OK) == 0) {
         errno = EEXIST;
@@ -141,7 +141,8 @@ bool AtomicFile::openNamed() {
         temporary_ = temporaryStem(path_) + randomLetters();
         descriptor_ = ::open(temporary_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, kMode);
         if (descriptor_ < 0 && errno == EEXIST) continue;
-        if (descriptor_ < 0 && errno == ENOENT && access(folder_.c_str(), F_OK) == 0) { // /proc does this
+        // /proc/self/fd gives this error
+        if (descriptor_ < 0 && errno == ENOENT && access(folder_.c_str(), F_OK) == 0) {
             error_ = "cannot create files in " + folder_;
             return false;
         }

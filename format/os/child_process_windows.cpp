@@ -17,7 +17,8 @@ constexpr UINT kKilled = 0xC000013A; // STATUS_CONTROL_C_EXIT, as of processes t
 
 HANDLE handleOf(std::intptr_t value) { return reinterpret_cast<HANDLE>(value); }
 
-/// A word as the C runtime takes a command line apart: backslashes count twice, but only before a quote.
+/// Quotes a word so that the C runtime recovers it from a command line: backslashes are doubled, but only before a
+/// quote.
 void appendQuoted(std::wstring& line, const std::wstring& word) {
     std::size_t backslashes = 0;
     line += L'"';
@@ -78,7 +79,7 @@ ChildProcess::~ChildProcess() {
     if (output_ >= 0) CloseHandle(handleOf(output_));
 }
 
-/// Anonymous pipes cannot be waited for: they are looked at every few milliseconds.
+/// Anonymous pipes cannot be waited for, so they are polled every few milliseconds.
 std::string ChildProcess::read(std::chrono::milliseconds timeout) {
     constexpr std::chrono::milliseconds kPoll{5};
     const auto end = std::chrono::steady_clock::now() + timeout;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Files read and written by their descriptors. errno has the reason of whatever fails.
+// Files read and written by descriptors. After a failure, errno has the reason.
 #pragma once
 
 #include <cstddef>
@@ -50,11 +50,11 @@ struct FileStatus {
     FileKind kind = FileKind::kOther;
     std::uint64_t bytes = 0;              ///< of a regular file
     std::int64_t modified_ns = 0;         ///< of the last write, since 1970
-    std::uint64_t device = 0, number = 0; ///< the same pair: the same file under another name
+    std::uint64_t device = 0, number = 0; ///< equal pairs mean the same file under another name
 };
 
 std::optional<FileStatus> statusOf(int descriptor);
-/// Of the target of a symbolic link.
+/// The status of a file; for a symbolic link, that of its target.
 std::optional<FileStatus> statusOf(const std::string& path);
 
 /// Closes a descriptor.

@@ -91,7 +91,7 @@ const void* mapFile(int descriptor, std::size_t bytes) {
 
 void unmapFile(const void* start, std::size_t) { UnmapViewOfFile(start); }
 
-/// A file of which the system tells nothing can be read as a pipe: one that a shell of Linux opened for Wine.
+/// A file whose status Windows does not know can be read as a pipe: it was opened by a Linux shell for Wine.
 std::optional<FileStatus> statusOf(int descriptor) {
     const HANDLE handle = handleOf(descriptor);
     const std::optional<FileStatus> status = statusOf(handle);

@@ -7,7 +7,7 @@
 
 namespace pointrt {
 
-/// Whether there is one: whether $DISPLAY or $WAYLAND_DISPLAY is set. On Windows always.
+/// Whether there is a desktop: whether $DISPLAY or $WAYLAND_DISPLAY is set. On Windows always true.
 bool hasDesktop();
 
 /// Files of sans serif fonts for a user interface, the best first. Any may be missing.

@@ -8,7 +8,7 @@ namespace pointrt {
 bool hasDesktop() { return true; }
 
 std::vector<std::string> interfaceFonts() {
-    std::wstring windows(MAX_PATH, 0); // the API's own limit of this folder
+    std::wstring windows(MAX_PATH, 0); // the API's own limit for this folder
     windows.resize(GetSystemWindowsDirectoryW(windows.data(), MAX_PATH));
     const std::string folder = format::narrowPath(windows) + "\\Fonts\\";
     return {folder + "segoeui.ttf", folder + "tahoma.ttf", folder + "arial.ttf"};

@@ -7,8 +7,8 @@
 
 namespace pointrt {
 
-/// As it is now: the C library's getenv knows neither UTF-8 nor what the program has set by another C library, as
-/// Python has.
+/// Reads the current value: the C library's getenv supports no UTF-8, and misses variables that the program has set
+/// through another C library, as Python does.
 std::string environmentVariable(const char* name) {
     std::array<wchar_t, 32768> value{}; // the longest variable
     const DWORD length =

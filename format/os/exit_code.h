@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a tool's process tells the system when it ends.
+// The exit codes by which a tool's process reports its end to the system.
 #pragma once
 
 namespace pointrt {

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A lock is the right to delete what is open, which nobody else is given meanwhile: unlike LockFileEx it works on
-// folders too.
+// The lock is an exclusive right to delete the open file: unlike LockFileEx, this works on folders too.
 #include "format/os/file_lock.h"
 
 #include "format/os/wide_path_windows.h"

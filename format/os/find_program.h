@@ -5,8 +5,8 @@
 
 namespace pointrt {
 
-/// The path of a program, by its name without .exe, in the folders of search_path (as PATH has them); empty if none has
-/// it.
+/// Finds a program, given by its name without .exe, in the folders of search_path, which is a list like PATH; empty if
+/// it is in none of them.
 std::string findProgram(const std::string& name, const std::string& search_path);
 
 } // namespace pointrt

@@ -8,11 +8,11 @@
 
 namespace pointrt {
 
-/// The paths of what is in a folder, in no order. If it cannot be listed, `failure` has the reason.
+/// The paths of everything in a folder, in no particular order. If it cannot be listed, `failure` has the reason.
 std::vector<std::string> listFolder(const std::string& folder, std::error_code& failure);
 
-/// Deletes a file, or a folder with all that is in it; nothing if there is no such file. `failure` has the reason if
-/// something stays.
+/// Deletes a file, or a folder with all its contents; does nothing if path does not exist. `failure` has the reason if
+/// something remains.
 void removeAll(const std::string& path, std::error_code& failure);
 
 } // namespace pointrt

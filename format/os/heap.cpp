@@ -11,7 +11,7 @@ namespace pointrt {
 
 void returnLargeBlocks() {
 #ifdef __GLIBC__
-    // Smaller blocks would cost more time in the kernel than they save: at 1 MiB twice as much.
+    // With smaller blocks, calls into the kernel would take more time than they save: at 1 MiB twice as much.
     constexpr int kLarge = 4 << 20;
     mallopt(M_MMAP_THRESHOLD, kLarge);
     mallopt(M_TRIM_THRESHOLD, 2 * kLarge); // glibc's own ratio

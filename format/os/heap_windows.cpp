@@ -3,6 +3,6 @@
 
 namespace pointrt {
 
-void returnLargeBlocks() {} // its heap returns large blocks anyway
+void returnLargeBlocks() {} // does nothing: its heap returns large blocks anyway
 
 } // namespace pointrt

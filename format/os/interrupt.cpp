@@ -12,7 +12,7 @@ namespace {
 
 /// Not a sig_atomic_t: the signal may arrive on another thread.
 std::atomic<int> caught = 0;
-static_assert(decltype(caught)::is_always_lock_free); // within a signal handler
+static_assert(decltype(caught)::is_always_lock_free); // needed within a signal handler
 
 void onSignal(int number) { caught = number; }
 

@@ -39,10 +39,10 @@ bool interrupted() { return caught != 0; }
 void raiseInterrupt() {
     if (caught == 0) return;
     std::fflush(nullptr);
-    ExitProcess(static_cast<UINT>(STATUS_CONTROL_C_EXIT)); // as the system's own handler ends it
+    ExitProcess(static_cast<UINT>(STATUS_CONTROL_C_EXIT)); // ends as the system's own handler does
 }
 
-/// Not ExitProcess, which waits for locks of threads that it has ended.
+/// Does not use ExitProcess, which waits for locks of threads that it has ended.
 void endInterrupted(int) {
     TerminateProcess(GetCurrentProcess(), static_cast<UINT>(STATUS_CONTROL_C_EXIT));
     std::abort(); // not reached

@@ -7,7 +7,7 @@ namespace pointrt {
 /// Words that differ by system.
 struct SystemWords {
     const char *on_linux, *on_windows;
-    /// Those of this system.
+    /// The word for this system.
     const char* here() const;
 };
 

@@ -8,7 +8,7 @@ namespace pointrt {
 const char* SystemWords::here() const { return on_windows; }
 
 void* openLibrary(const LibraryName& name) {
-    // not the working folder, where anybody may have put a file of that name
+    // not in the working folder, where anybody may have put a file of that name
     constexpr DWORD kWhere = LOAD_LIBRARY_SEARCH_APPLICATION_DIR | LOAD_LIBRARY_SEARCH_SYSTEM32;
     return LoadLibraryExA(name.here(), nullptr, kWhere);
 }

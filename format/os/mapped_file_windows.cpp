@@ -20,7 +20,7 @@ bool MappedFile::fail(int error) {
 
 void MappedFile::dropPages() const {
     VirtualUnlock(const_cast<std::byte*>(data_), size_);
-} // of unlocked pages: removes them from the working set
+} // for pages that are not locked, this removes them from the working set
 
 bool MappedFile::map(const char* path) {
     const DWORD sharing = FILE_SHARE_READ | FILE_SHARE_WRITE | FILE_SHARE_DELETE;

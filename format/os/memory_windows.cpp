@@ -15,7 +15,7 @@ std::uint64_t peakRssBytes() {
     return counters.PeakWorkingSetSize;
 }
 
-/// What may still be committed: the machine's memory and page files, reduced by a limit of the process's job.
+/// Memory that can still be committed: the machine's memory and page files, limited by the process's job.
 std::uint64_t availableMemory() {
     MEMORYSTATUSEX status{};
     status.dwLength = sizeof status;

@@ -12,7 +12,8 @@ void* allocatePages(std::size_t alignment, std::size_t bytes) { return _aligned_
 void freePages(void* memory) { _aligned_free(memory); }
 
 void dropPages(const void* start, std::size_t bytes) {
-    VirtualUnlock(const_cast<void*>(start), bytes); // of unlocked pages: removes them from the working set
+    // for pages that are not locked, this removes them from the working set
+    VirtualUnlock(const_cast<void*>(start), bytes);
 }
 
 } // namespace pointrt

@@ -4,8 +4,8 @@
 
 namespace pointrt {
 
-/// Seconds since the start of this process, from the system (Linux: in steps of 10 ms); if that does not tell, since
-/// the first call.
+/// Seconds since this process started, according to the system (Linux: in steps of 10 ms); if the system does not
+/// report it, since the first call.
 double secondsSinceStart();
 
 } // namespace pointrt

@@ -14,7 +14,7 @@ namespace fs = std::filesystem;
 std::string programPath() {
     std::error_code ignored;
     const fs::path running = fs::read_symlink("/proc/self/exe", ignored);
-    // packaging/launch.sh lets a loader of its own start the program, under the script's path
+    // packaging/launch.sh starts the program through its own loader, under the script's path
     const bool is_loader = running.filename().string().starts_with("ld-linux");
     return is_loader ? program_invocation_name : running.string();
 }

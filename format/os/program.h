@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// Programs: where they are, and what makes a file one.
+// Programs: their paths, and which files are programs.
 #pragma once
 
 #include <string>
 
 namespace pointrt {
 
-/// Path of the running program; empty if the system does not tell.
+/// Path of the running program; empty if the system does not report it.
 std::string programPath();
 
 /// "pointrt-bake" as the name of a program's file: pointrt-bake.exe on Windows.
@@ -15,7 +15,8 @@ std::string programFile(const std::string& name);
 /// Whether path is a file that this user may run.
 bool isProgram(const std::string& path);
 
-/// A path of Windows without its prefix \\?\, behind which it may not be joined by /. Elsewhere the path as it is.
+/// A Windows path without its prefix \\?\, after which / must not be used. On other systems the path is returned
+/// unchanged.
 std::string plainPath(const std::string& path);
 
 /// Separates the folders of PATH.

@@ -6,7 +6,7 @@
 #include <filesystem>
 #include <system_error>
 
-/// For the C library of mingw-w64: expands * and ? in arguments, as shells do elsewhere.
+/// Tells the C library of mingw-w64 to expand * and ? in arguments, as shells do elsewhere.
 extern "C" {
 int _dowildcard = -1;
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What separates the folders in names of files.
+// The separators between folders in paths.
 #pragma once
 
 #include <filesystem>

@@ -12,7 +12,7 @@ bool swapNames(const std::string&, const std::string&) {
     return false;
 }
 
-/// The C library's rename knows no paths of more than 260 characters.
+/// The C library's rename does not support paths of more than 260 characters.
 bool renameFolder(const std::string& folder, const std::string& name) {
     if (MoveFileExW(format::widePath(folder).c_str(), format::widePath(name).c_str(), 0) != 0) return true;
     const DWORD error = GetLastError();

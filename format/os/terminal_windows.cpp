@@ -10,7 +10,8 @@ namespace pointrt {
 bool isTerminal(int descriptor) { return _isatty(descriptor) != 0; }
 
 void printFromHandler(const char* text, std::size_t bytes) {
-    if (_write(kStandardError, text, static_cast<unsigned>(bytes)) < 0) return; // nothing else to report it to
+    // there is nowhere else to report a failure
+    if (_write(kStandardError, text, static_cast<unsigned>(bytes)) < 0) return;
 }
 
 } // namespace pointrt

@@ -21,7 +21,7 @@ std::string userCacheFolder() { return userFolder("cache"); }
 
 std::string userStateFolder() { return userFolder("state"); }
 
-/// The folders above are the user's alone, and folders have the rights of the one that they are in.
+/// The folders above belong to the user only, and new folders inherit their rights.
 bool makePrivateFolder(const std::string& path) {
     std::error_code ignored;
     std::filesystem::create_directories(format::widePath(path), ignored);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Names of files are UTF-8 in the C library's functions, too. The linker gives these to who calls those of msvcrt.dll
-// (--wrap): libstdc++ and libpng among them, which are linked statically.
+// Makes the C library's functions take file names in UTF-8. The linker substitutes these for the functions of
+// msvcrt.dll (--wrap), also in libstdc++ and libpng, which are linked statically.
 // - mbrtowc, by which std::filesystem::path of libstdc++ makes names in bytes wide, knows no UTF-8 in msvcrt.dll,
 //   whatever the code page of the process.
 // - fopen takes names in the code page of the process. The tools' manifest sets that to UTF-8, but a library has the

@@ -20,7 +20,7 @@ constexpr std::uint8_t kPackedBit = 0x80;
 
 constexpr std::uint16_t kRecordBytesOf[] = {20, 28, 26, 34, 57, 63, 30, 36, 38, 59, 67};
 
-/// The 64-bit count of LAS 1.4, else, and if that is 0, the 32-bit one.
+/// The 64-bit count of LAS 1.4; otherwise, or if that is 0, the 32-bit one.
 std::uint64_t countOf(std::string_view bytes, bool is_long) {
     const std::uint64_t count = is_long ? loadAt<std::uint64_t>(bytes, kCount) : 0;
     return count > 0 ? count : loadAt<std::uint32_t>(bytes, kLegacyCount);
@@ -58,7 +58,7 @@ bool readVlrs(LasFile& file, std::uint64_t at, std::uint64_t count, bool extende
     return true;
 }
 
-/// Some writers never fill in the count. The points end where extended records begin.
+/// Some writers never fill in the count. Then the points end where extended records begin.
 void takeUncounted(LasFile& file) {
     LasHeader& header = file.header;
     if (header.point_count > 0 || header.packed || header.point_offset >= file.bytes.size()) return;
@@ -68,7 +68,7 @@ void takeUncounted(LasFile& file) {
     header.point_count = (end - header.point_offset) / header.record_bytes;
     if (header.point_count > 0)
         file.notes.push_back(
-            fmt::format("counts 0 points in its header; the {} that follow it are read", header.point_count));
+            fmt::format("says 0 points in its header; the {} points that follow are read", header.point_count));
 }
 
 void checkPoints(LasFile& file, bool salvages) {

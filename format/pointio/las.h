@@ -40,7 +40,7 @@ struct LasFile {
     LasHeader header;
     std::vector<LasVlr> vlrs;
     std::vector<std::string> notes; ///< for the user
-    std::uint64_t promised = 0;     ///< points that the header announces, if the file is salvaged and has fewer
+    std::uint64_t promised = 0; ///< number of points that the header announces, if the file is salvaged and has fewer
 };
 
 /// Reads header and records. Throws Error (kBadInput, without the file's name) for an unknown version or point format,
@@ -59,7 +59,7 @@ const LasVlr* findVlr(const LasFile& file, std::string_view user_id, std::uint16
 std::uint16_t lasRecordBytes(std::uint8_t point_format);
 
 inline constexpr std::string_view kLasSpecUser = "LASF_Spec", kLasCrsUser = "LASF_Projection";
-/// Numbers of the records by kLasCrsUser.
+/// Record numbers under kLasCrsUser.
 inline constexpr std::uint16_t kWktRecord = 2112, kGeoKeysRecord = 34735, kGeoDoublesRecord = 34736;
 /// Bytes that describe one field of extra bytes.
 inline constexpr std::size_t kDescriptorBytes = 192;

@@ -16,8 +16,8 @@ struct LasCrs {
     double metres_per_unit = 0; ///< of x and y; 0 if unknown or in degrees
 };
 
-/// Reads a WKT record, or else GeoTIFF keys, of which it ignores invalid ones. Keys without a unit take that of the
-/// EPSG code, if PROJ is installed.
+/// Reads a WKT record, else GeoTIFF keys; ignores invalid keys. Keys without a unit take that of the EPSG code, if PROJ
+/// is installed.
 LasCrs lasCrs(const LasFile& file);
 
 /// Reads GeoTIFF keys, the same in LAS and in TIFF files: GeoKeyDirectoryTag and GeoDoubleParamsTag, little-endian.

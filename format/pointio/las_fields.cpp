@@ -129,7 +129,7 @@ void settleName(std::string& name, const std::vector<LasField>& fields) {
     });
 }
 
-/// Undescribed bytes per point to keep, at most.
+/// Largest number of undescribed bytes per point to keep.
 constexpr std::size_t kMostBareBytes = 16;
 
 /// @param descriptor of the bytes; "" if the file has none

@@ -33,7 +33,7 @@ std::array<double, 2> limitsOf(const LasField& field) {
 
 /// Whether all values are in memory and integers.
 bool areWhole(const PointColumn& column) {
-    if (!column.values) return false; // in many files, which are not worth reading for this
+    if (!column.values) return false; // many files lack it, and the values are not worth reading for this
     return withType(column.type, [&](auto number) {
         const auto* values = static_cast<const decltype(number)*>(column.values);
         return std::all_of(values, values + column.value_rows * column.components, [](auto each) {
@@ -120,7 +120,8 @@ std::uint8_t extraType(const PointColumn& attribute) {
     return static_cast<std::uint8_t>(kTypes[attribute.type - PRO_TYPE_I8] + 10 * (attribute.components - 1));
 }
 
-/// A field for an attribute that the source lacks. Four components are no type of LAS and become undescribed bytes.
+/// A field for an attribute that the source lacks. LAS has no type with four components, so these become undescribed
+/// bytes.
 std::string newExtraField(const PointColumn& attribute, bool name_taken, LasField& field) {
     field.name = attribute.name;
     if (name_taken) field.name += "_2"; // the LAS field of this name cannot hold these numbers
@@ -236,7 +237,7 @@ bool fits(const PointOutline& points, const LasHeader& header) {
     return true;
 }
 
-/// By the digits: pow() of one system's library differs from another's in the last bit.
+/// Uses decimal digits: pow() of different systems' libraries differs in the last bit.
 double powerOfTen(double exponent) {
     const std::string text = "1e" + std::to_string(static_cast<int>(exponent));
     double power = 0;

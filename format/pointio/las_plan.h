@@ -18,8 +18,8 @@ struct LasColumn {
     std::size_t column = 0;
 };
 
-/// Numbers that the LAS field of their name cannot hold are in extra bytes; the field gets them scaled from their range
-/// to its own, for programs that read no other.
+/// If the LAS field with the attribute's name cannot hold its numbers, extra bytes hold them; the field gets them
+/// scaled to its own range, for programs that read only LAS fields.
 struct ScaledLasColumn {
     LasColumn column;
     std::array<double, 2> range{};
@@ -28,7 +28,7 @@ struct ScaledLasColumn {
 struct LasExport {
     LasDescription description;
     std::vector<LasColumn> columns;
-    std::optional<ScaledLasColumn> intensity; ///< set if the field of LAS cannot hold them
+    std::optional<ScaledLasColumn> intensity; ///< set if the LAS field cannot hold the numbers
     const LasField* colors = nullptr;         ///< takes color_column; null if an attribute holds colours
     std::size_t color_column = 0;
     const LasField* returns = nullptr; ///< set if no attribute numbers returns: each point is the only return

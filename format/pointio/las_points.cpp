@@ -15,7 +15,7 @@
 namespace pointrt {
 namespace {
 
-constexpr std::size_t kLasPointsAtOnce = 16384; // of at most 1 KiB each
+constexpr std::size_t kLasPointsAtOnce = 16384; // each has at most 1 KiB
 
 /// Some points of a block.
 struct Rows {

@@ -23,8 +23,8 @@ constexpr std::size_t kTableOffset = 8;
 /// Bytes of version and number of chunks, which precede the entries of the table.
 constexpr std::size_t kTableHead = 8;
 
-/// Equal points compress to a three thousandth, scans to a quarter to a twentieth. Files that announce a higher ratio
-/// are refused, beyond 64 MiB of points: a few bytes must not claim any amount of memory.
+/// Equal points compress to a three thousandth, scans to a quarter to a twentieth. Files with more than 64 MiB of
+/// points that announce a higher ratio are refused, so that a few bytes cannot request any amount of memory.
 constexpr std::uint64_t kMostGain = 1000, kFreeBytes = std::uint64_t{64} << 20;
 
 const std::uint8_t* bytesAt(std::string_view bytes) { return reinterpret_cast<const std::uint8_t*>(bytes.data()); }
@@ -105,7 +105,7 @@ bool append(void* text, const std::uint8_t* data, std::size_t bytes) {
     }
 }
 
-/// The bytes that work writes through its callback. Our own records are valid, so a failure is the machine's.
+/// The bytes that work writes through its callback. Our own records are valid, so only the machine can cause a failure.
 template <typename Work>
 std::string written(const Work& work) {
     std::string text;

@@ -31,8 +31,8 @@ struct LazLayout {
         false; ///< each attribute of a chunk is compressed separately; the chunk starts with its number of points
     /// All chunks, in the order of their points.
     std::vector<LazChunk> chunks;
-    /// There is no chunk table: chunks holds a single run of chunks to the end of the file, whose sizes follow from
-    /// reading.
+    /// There is no chunk table: chunks has a single entry, for a run of chunks to the end of the file, whose sizes are
+    /// found by reading.
     bool in_one_run = false;
     std::uint64_t run_points = 0; ///< in each chunk of the run; 0: stated in the chunk
 };

@@ -13,10 +13,10 @@ constexpr std::size_t kMostFields = 256, kMostAxes = 64; // NumPy's own limit of
 
 bool isBlank(char letter) { return letter == ' ' || letter == '\t' || letter == '\n' || letter == '\r'; }
 
-/// Takes the literals of Python that headers consist of.
+/// Parses the Python literals that headers consist of.
 struct Literals {
     std::string_view rest;
-    std::string key = {}; ///< whose value is taken, for messages
+    std::string key = {}; ///< the key whose value is being parsed, for messages
 
     bool take(char mark) {
         while (!rest.empty() && isBlank(rest.front())) rest.remove_prefix(1);
@@ -27,7 +27,7 @@ struct Literals {
     void require(char mark) {
         if (!take(mark)) fail(std::string("expected '") + mark + "'");
     }
-    /// Whether another item of a list follows the one before: a comma, which may also precede the end.
+    /// Whether another item of a list follows the one before, after a comma; a comma may also precede the end.
     bool takeNext(char end) {
         if (take(',')) return !take(end);
         require(end);
@@ -37,7 +37,7 @@ struct Literals {
         const char quote = take('\'') ? '\'' : '"';
         if (quote == '"') require('"');
         const std::size_t length = rest.find(quote);
-        if (length == rest.npos) fail("a text does not end");
+        if (length == rest.npos) fail("a string has no closing quote");
         std::string word(rest.substr(0, length));
         rest.remove_prefix(length + 1);
         return word;

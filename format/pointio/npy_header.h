@@ -11,7 +11,7 @@ namespace pointrt {
 
 inline constexpr std::string_view kNpyMagic = "\x93NUMPY"; ///< the first six bytes
 
-/// A field of a structured type, or the only one, without a name, of plain elements.
+/// A field of a structured type; or, without a name, the only one of a plain array.
 struct NpyField {
     std::string name;
     std::string type;                 ///< "<f8"

@@ -16,7 +16,7 @@ namespace pointrt {
 inline void appendNumber(std::uint32_t type, const std::byte* from, std::string& text) {
     withType(type, [&](auto number) {
         std::memcpy(&number, from, sizeof number);
-        char room[32]; // the longest double has 24
+        char room[32]; // room for the longest double, which has 24 characters
         text.append(room, std::to_chars(room, room + sizeof room, number).ptr);
     });
 }

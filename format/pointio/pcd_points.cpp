@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::size_t kCountDigits = 20; // of 64 bits
 
-/// Whether floats, which PCL's point types have, are as fine as the positions.
+/// Whether floats, as in PCL's point types, are as precise as the positions.
 bool fitsFloats(const PointOutline& outline) {
     constexpr double kFloatStep = 0x1p-24; // half the step of a float, relative to it
     double farthest = 0;

@@ -11,7 +11,7 @@
 
 namespace pointrt {
 
-/// The file appears under its name, complete, on commit; "-" is standard output, which is written at once. Every
+/// A file appears under its name when commit has completed it; "-" is standard output, which is written at once. Every
 /// function throws Error kCannotWrite "PATH: reason".
 class PointFile {
 public:

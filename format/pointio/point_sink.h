@@ -10,8 +10,8 @@
 
 namespace pointrt {
 
-/// The file appears under its name, complete, on finish; standard output is written at once. Every function throws
-/// Error kCannotWrite "PATH: reason".
+/// A file appears under its name when finish has completed it; standard output is written at once. Every function
+/// throws Error kCannotWrite "PATH: reason".
 class PointSink {
 public:
     virtual ~PointSink() = default;
@@ -22,7 +22,7 @@ public:
 
 enum class PointFormat { kPly, kLas, kLaz, kCsv, kPcd, kE57 };
 
-/// By the suffix; "-" is PLY. Throws Error kBadUsage for other suffixes.
+/// The format for a suffix; "-" is PLY. Throws Error kBadUsage for other suffixes.
 PointFormat pointFormat(const std::string& path);
 
 /// Opens path for writing, in the format of its suffix:

@@ -17,7 +17,7 @@ PointColumn columnOf(const pro_attribute& attribute, std::uint64_t splats) {
             splats};
 }
 
-/// The splat with a normal of 0, which means unknown, if it is a ball.
+/// The splat; if it is a ball, with a normal of 0, which means unknown.
 pro_splat splatAt(const ProFile& file, std::uint32_t number) {
     pro_splat splat = file.splat(number);
     if (file.isBall(number)) std::ranges::fill(splat.normal, 0.0f);

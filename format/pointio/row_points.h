@@ -35,7 +35,7 @@ public:
     }
 
     void add(const PointBlock& block) override {
-        constexpr std::size_t kRowsAtOnce = 16384; // of some hundred bytes each at most
+        constexpr std::size_t kRowsAtOnce = 16384; // each has at most some hundred bytes
         for (std::size_t i = 0; i < block.count(); ++i) {
             format_.addRow(block, i, rows_);
             if ((i + 1) % kRowsAtOnce == 0) flush();

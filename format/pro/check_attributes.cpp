@@ -72,8 +72,9 @@ void checkAttributeValues(const pro_info& info, const Content& content, Findings
 
 void checkWorld(const pro_world& world, Findings& findings) {
     const double x = world.up[0], y = world.up[1], z = world.up[2];
-    const double length = std::sqrt(x * x + y * y + z * z); // std::hypot of libstdc++ may be 0 with a NaN among them
-    if (!(length == 0 || std::fabs(length - 1) <= 1e-5))    // a unit vector in float is off by 1e-7
+    // not std::hypot, which may return 0 in libstdc++ if one number is NaN
+    const double length = std::sqrt(x * x + y * y + z * z);
+    if (!(length == 0 || std::fabs(length - 1) <= 1e-5)) // a unit vector of floats is off by 1e-7
         findings.add(Finding::kUp, "the up vector has length %g, not 0 or 1", length);
     const double metres = world.metres_per_unit;
     if (!(metres == 0 || (metres >= 1e-30 && metres <= 1e30)))

@@ -111,7 +111,7 @@ void checkHarmonics(const pro_info& info, const pro_gaussians& gaussians, Findin
 
 /// False for NaN, infinity and rotations that are not of unit length.
 bool isExact(const pro_exact_gaussian& exact) {
-    constexpr double kUnitTolerance = 1e-5; // some hundred times what floats leave to a unit quaternion
+    constexpr double kUnitTolerance = 1e-5; // some hundred times the rounding error of a unit quaternion of floats
     const float least = std::exp2(PRO_DEVIATION_LOG2_MIN), most = std::exp2(PRO_DEVIATION_LOG2_MAX);
     double squared = 0;
     for (const float each : exact.rotation) squared += double{each} * each;
@@ -130,7 +130,8 @@ void checkExact(const pro_info& info, const pro_gaussians& gaussians, Findings& 
     values.addTo(findings, Finding::kExactValue, "exact Gaussian", "its parameters are out of range");
 }
 
-/// A Gaussian that two nodes of a path list would count twice along a ray, so all that list it must have one depth.
+/// A Gaussian that two nodes on one path list would count twice along a ray, so all nodes that list it must have the
+/// same depth.
 void checkListedOnce(const pro_info& info, const pro_gaussians& gaussians, Findings& findings) {
     constexpr std::uint8_t kUnlisted = 0xFF;
     std::vector<std::uint8_t> depths(info.splat_count, kUnlisted);

@@ -25,10 +25,10 @@ static_assert(PRO_CELL_OFFSET_SHIFT + 3 * PRO_CELL_OFFSET_BITS == 31);
 
 bool isEmpty(std::uint32_t word) { return (word & PRO_SKIP_MASK) != 0; }
 
-/// Looks for the borrow of subtracting 1 from each nibble (Mycroft 1987).
+/// Detects the borrow when 1 is subtracted from each nibble (Mycroft 1987).
 bool hasZeroNibble(std::uint32_t word) { return ((word - 0x11111111u) & ~word & 0x88888888u) != 0; }
 
-/// What each check found. Checks write to different members, so they can run in parallel.
+/// The findings of each check. Checks write to different members, so they can run in parallel.
 struct IndexTallies {
     Tally grid_brick, grid_skip, brick_skip, brick_word, group_depth, cell_run, cell_codes, cell_reserved,
         cell_blending, listed_splat;
@@ -54,8 +54,8 @@ void checkGrid(const pro_index& index, IndexTallies& tallies) {
     tallies.bricks_missing = filled < index.brick_count;
 }
 
-/// Each word of a brick is the root of a tree of groups. A depth-first walk over the words in order meets cells in
-/// increasing order and leaves groups in increasing order, so no cell or group is named twice and the walk ends.
+/// Each word of a brick is the root of a tree of groups. A depth-first walk over the words in order visits cells in
+/// increasing order and finishes groups in increasing order, so no cell or group is named twice and the walk ends.
 class BrickWalk {
 public:
     BrickWalk(const pro_index& index, IndexTallies& tallies)
@@ -106,7 +106,7 @@ private:
 std::uint32_t countOf(const std::uint32_t* cell) { return cell[PRO_CELL_COUNT] & PRO_CELL_COUNT_MASK; }
 std::uint32_t blendingOf(const std::uint32_t* cell) { return cell[PRO_CELL_BLENDING_COUNT] & PRO_CELL_BLENDING_MASK; }
 
-/// Whether the numbers of a cell in BLDS, from number first on, lead to near splats in range.
+/// Whether a cell's numbers in BLDS, from the first on, refer to near splats in range.
 bool blendingInRange(const pro_index& index, const std::uint32_t* cell, std::uint64_t first) {
     std::int32_t least = 0, most = 0;
     for (std::uint64_t i = first; i < first + blendingOf(cell); ++i) {
@@ -138,7 +138,7 @@ void checkCells(const pro_index& index, IndexTallies& tallies) {
     tallies.blending_missing = std::max<std::uint64_t>(numbers, 2) != index.blending_count;
 }
 
-/// Checks words of DSPL from first on, at most kRunWords.
+/// Checks at most kRunWords words of DSPL, from the first on.
 Tally checkListed(const pro_info& info, const pro_index& index, std::size_t first) {
     Tally tally;
     const std::size_t end = std::min<std::size_t>(index.near_count, first + kRunWords);

@@ -57,7 +57,7 @@ void checkRefsOfLeaves(const pro_info& info, const pro_view& view, Findings& fin
 void checkOrder(const pro_info& info, const pro_view& view, Level level, Findings& findings) {
     Tally twice;
     std::vector<bool> seen(info.splat_count);
-    std::vector<std::uint32_t> above; // where input points were dropped, indices exceed splat_count
+    std::vector<std::uint32_t> above; // if input points were dropped, indices may exceed splat_count
     for (std::size_t i = 0; i < info.splat_count; ++i) {
         const std::uint32_t index = view.order[i];
         if (index < info.splat_count) {

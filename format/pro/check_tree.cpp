@@ -8,7 +8,7 @@ namespace pointrt::format {
 namespace {
 
 bool checkGroups(const pro_info& info, const pro_view& view, Findings& findings) {
-    if (info.node_count < PRO_GROUP_SIZE) return false; // checkRanges has reported it
+    if (info.node_count < PRO_GROUP_SIZE) return false; // checkRanges reports that
     const std::size_t before = findings.count();
     Tally root_group;
     for (std::size_t slot = 1; slot < PRO_GROUP_SIZE; ++slot)

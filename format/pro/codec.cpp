@@ -76,13 +76,14 @@ float decodeRadius(std::uint32_t code, float radius_max, float radius_step) {
     return radius_max * std::exp2(-static_cast<float>(code) * radius_step);
 }
 
-/// The largest code whose radius is at least radius; 0 if radius_max is smaller.
+/// The largest code whose radius is at least the given one; 0 if radius_max is smaller.
 std::uint32_t encodeRadius(float radius, float radius_max, float radius_step) {
     if (!(radius_step > 0) || !(radius < radius_max)) return 0;
     const double octaves = std::log2(double{radius_max} / std::max(double{radius}, double{PRO_RADIUS_MIN}));
     const double exact = std::floor(octaves / double{radius_step});
     auto code = static_cast<std::uint32_t>(std::clamp(exact, 0.0, double{PRO_RADIUS_CODE_MAX}));
-    while (code > 0 && decodeRadius(code, radius_max, radius_step) < radius) --code; // rounding of log2 and exp2
+    // corrects rounding of log2 and exp2
+    while (code > 0 && decodeRadius(code, radius_max, radius_step) < radius) --code;
     return code;
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What can be wrong with a .pro file: stable numbers, and the sink that receives them.
+// Possible faults of a .pro file: stable numbers, and the sink that receives them.
 #pragma once
 
 #include <cstddef>

@@ -45,7 +45,7 @@ RotationCodes encodeRotation(const float rotation[4]) {
     return coded;
 }
 
-/// In float, as in shaders. Codes that belong to no unit quaternion are normalised, too.
+/// Computed in float, as in shaders. Also normalises codes that do not belong to a unit quaternion.
 void decodeRotation(const RotationCodes& coded, float rotation[4]) {
     float squared = 0;
     for (std::size_t i = 0, k = 0; i < 4; ++i) {
@@ -73,7 +73,7 @@ std::uint32_t encodeColor(float color, float low, float step, std::uint32_t most
     return step > 0 ? roundedCode((double{color} - low) / step, most) : 0;
 }
 
-/// The place of a coordinate within its position step.
+/// The position of a coordinate within its position step, as a code.
 std::uint32_t encodeResidual(double coordinate, std::uint32_t position) {
     const double residual =
         std::floor((coordinate * double{PRO_POSITION_STEPS} - position) * double{PRO_RESIDUAL_STEPS});

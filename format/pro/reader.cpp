@@ -73,7 +73,7 @@ pro_result pro_open(const char* path, uint32_t open_flags, pro_file** file, pro_
         if (const pro_result result = map(opened->mapped, path, message)) return result;
         opened->bytes = opened->mapped.bytes();
         if (const pro_result result = parse(*opened, open_flags, message)) return result;
-        if (open_flags & PRO_OPEN_TRACE) opened->mapped.dropPages(); // of a scan, rays read half or none
+        if (open_flags & PRO_OPEN_TRACE) opened->mapped.dropPages(); // rays read less than half of a scan
         *file = opened.release();
         return PRO_OK;
     });

@@ -27,14 +27,14 @@ constexpr DataAccess kAttributeRecords{
 template <auto Field>
 constexpr CountAccess kInfoCount{[](const pro_info& info, const Content&) -> std::uint64_t { return info.*Field; }};
 
-/// A count of the index that this section decides, with so many to an element.
+/// A count of the index that this section determines, with this many to an element.
 template <auto Field, std::uint32_t kEach = 1>
 constexpr CountAccess kIndexCount{
     [](const pro_info&, const Content& content) -> std::uint64_t { return content.index.*Field / kEach; },
     [](Content& content, std::uint64_t count) { content.index.*Field = static_cast<std::uint32_t>(count) * kEach; },
     PRO_INDEX_LISTED_MAX / kEach};
 
-/// A count of the index that another section decides, perhaps a later one: compared when all are set.
+/// A count of the index that another section determines, perhaps a later one, so it is compared when all are set.
 template <auto Field, std::uint32_t kEach = 1>
 constexpr CountAccess kIndexCountElsewhere{kIndexCount<Field, kEach>.get, nullptr, kIndexCount<Field, kEach>.limit};
 
@@ -49,7 +49,7 @@ constexpr CountAccess kBrickWords{
 
 constexpr CountAccess kGridWords{[](const pro_info&, const Content& content) { return gridWords(content.index); }};
 
-/// A count of the Gaussians that this section decides.
+/// A count of the Gaussians that this section determines.
 template <auto Field>
 constexpr CountAccess kGaussianCount{
     [](const pro_info&, const Content& content) -> std::uint64_t { return content.gaussians.*Field; },

@@ -40,10 +40,10 @@ struct DataAccess {
 struct CountAccess {
     std::uint64_t (*get)(const pro_info&, const Content&);
     void (*set)(Content&, std::uint64_t) = nullptr; ///< null if the header or another section gives the count
-    std::uint64_t limit = 0; ///< largest count that set takes; 0: the count must equal get() as soon as it is read
+    std::uint64_t limit = 0; ///< largest count that set accepts; 0: the count must equal get() as soon as it is read
 };
 
-/// What the format says of a kind. ATTR has no rule: a file may have many of them, of any stride.
+/// The format's rules for a kind. ATTR has none: a file may have many of them, of any stride.
 struct SectionRule {
     std::uint32_t kind;
     std::uint32_t stride; ///< bytes per element; 0: the header decides (strideOf)
@@ -60,7 +60,7 @@ const SectionRule* findRule(std::uint32_t kind);
 /// Bytes per element.
 std::uint32_t strideOf(const SectionRule& rule, const Content& content);
 
-/// Points content at the elements of a section, and sets their count where the header does not have it.
+/// Points content at the elements of a section, and sets their count if the header does not have it.
 void setSection(Content& content, const SectionRule& rule, const void* data, std::uint64_t count);
 
 /// The four characters of a kind for messages, with '?' for unprintable ones.

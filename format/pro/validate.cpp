@@ -97,7 +97,7 @@ bool checkPlace(const Section& section, std::uint64_t file_bytes, Findings& find
     const bool aligned = section.offset % PRO_SECTION_ALIGNMENT == 0;
     if (!aligned)
         findings.add(Finding::kSectionAlignment, "%s: not on a multiple of %u bytes", name, PRO_SECTION_ALIGNMENT);
-    return adds_up && inside && aligned; // findings may have stopped counting
+    return adds_up && inside && aligned; // findings may have stopped counting, so they are not compared
 }
 
 /// Sorts by offset; sections must have passed checkPlace.

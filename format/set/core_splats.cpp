@@ -55,7 +55,7 @@ std::vector<pro_splat> coreSplats(const TileSet& set, const SetTile& tile, const
     requireTile(set, tile, folder);
     const std::string path = tilePath(folder, tile);
     std::ifstream file;
-    file.rdbuf()->pubsetbuf(nullptr, 0); // splats are far apart, so reading ahead is wasted
+    file.rdbuf()->pubsetbuf(nullptr, 0); // splats are far apart, so reading ahead would be wasted
     file.open(path, std::ios::binary);
     Header header;
     const auto place = read(file, 0, header.data(), header.size()) ? placeOfSplats(header, tile.stored) : std::nullopt;

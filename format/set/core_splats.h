@@ -11,7 +11,7 @@
 
 namespace pointrt {
 
-/// A splat as a file has it.
+/// A splat as stored in a file.
 using SplatWords = std::array<std::uint32_t, PRO_SPLAT_WORDS>;
 
 /// Whether the centre lies in the core of the splat's tile: the half-open middle half of its cube on each axis.

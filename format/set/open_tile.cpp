@@ -60,7 +60,7 @@ TileHeader readHeader(const std::string& path) {
     return loadHeader(header.data(), status->bytes);
 }
 
-/// How the file differs from what set.json says of the tile; "" if it does not.
+/// How the file differs from its description in set.json; "" if it does not.
 std::string differenceOf(const TileSet& set, const SetTile& tile, const TileHeader& header) {
     const auto both = [](const auto& is, const auto& wanted, const char* what) {
         return std::to_string(is) + what + ", not " + std::to_string(wanted);

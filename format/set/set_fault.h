@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Internal to format/set: why a set is invalid.
+// Internal to format/set: the reason why a set is invalid.
 #pragma once
 
 #include <cstddef>

@@ -178,7 +178,7 @@ void checkFiles(const TileSet& set) {
     for (const SetTile& tile : set.tiles) files.push_back(tile.file);
     std::sort(files.begin(), files.end());
     const auto twice = std::adjacent_find(files.begin(), files.end());
-    if (twice != files.end()) refuse("tiles: " + std::string(*twice) + " is the file of two");
+    if (twice != files.end()) refuse("tiles: " + std::string(*twice) + " is the file of two tiles");
 }
 
 void checkSums(const TileSet& set) {

@@ -72,7 +72,7 @@ std::string jsonOf(const TileSet& set) {
     addLine(out, "crs", set.crs);
     addLine(out, "colors", set.colors);
     addLine(out, "oriented", set.oriented);
-    if (set.gaussians) addLine(out, "gaussians", true); // sets of discs stay as they were
+    if (set.gaussians) addLine(out, "gaussians", true); // sets of discs do not have it, as before
     addLine(out, "noise", set.noise);
     // sorted by key, as in the reader
     addLine(out, "settings", nlohmann::json::parse(set.settings));

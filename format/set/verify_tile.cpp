@@ -81,7 +81,7 @@ bool isInOriginalTile(const TileSet& set, std::uint32_t level, TileCell cell) {
     return false;
 }
 
-/// Whether one of the extreme points of the disc along the axes lies in the core; also of a ball's disc.
+/// Whether one of the extreme points of the disc along the axes lies in the core; balls count as discs here.
 /// @param splat in the cube of the tile
 bool surelyCrossesCore(const pro_splat& splat) {
     for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -140,7 +140,7 @@ void forEachNear(const ProFile& neighbour, const Offset& offset, const Visit& vi
         visit(withCode(words, code), [&] {
             pro_splat splat = neighbour.splat(i);
             for (std::size_t axis = 0; axis < 3; ++axis) {
-                if (code[axis] < kCoreLow - reach || code[axis] > kCoreHigh + reach) splat.radius = 0; // out of reach
+                if (code[axis] < kCoreLow - reach || code[axis] > kCoreHigh + reach) splat.radius = 0; // too far away
                 splat.position[axis] = (static_cast<float>(code[axis]) + 0.5f) * PRO_POSITION_STEP;
             }
             return splat;
@@ -154,7 +154,7 @@ void compareWith(Tile& tile, const SetTile& owner, const Offset& offset, const s
     try {
         file = openTile(tile.set, owner, tile.folder, PRO_OPEN_SKIP_CHECKSUMS);
     } catch (const Error&) {
-        return; // the neighbour has its own finding
+        return; // the neighbour gets its own finding
     }
     std::vector<bool> owned(repeats.size());
     // cleaning can move points across borders, where the merged tile's own splats represent them
@@ -208,7 +208,7 @@ void checkRanges(Tile& tile, const ProFile& file) {
     for (std::size_t i = 0; i < file.attributes().size(); ++i) {
         const pro_attribute& is = file.attributes()[i];
         const SetAttribute& all = tile.set.attributes[i];
-        const bool has_none = is.low == 0 && is.high == 0; // or zeros
+        const bool has_none = is.low == 0 && is.high == 0; // or the values are zeros
         if (!has_none && (is.low < all.low || is.high > all.high))
             tile.add("attribute " + all.name + " exceeds the range in set.json");
     }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// For libraries.sh: what the functions of floats in glibc (sysdeps/ieee754/flt-32 of 2.36 and 2.41) expect of the rest of
-// glibc, for one set of functions by their names in C, on processors that round to nearest.
+// For libraries.sh: the parts of glibc that its float functions need (sysdeps/ieee754/flt-32 of 2.36 and 2.41), in their
+// plain C variant, for processors that round to nearest.
 #include <errno.h>
 #include <math.h>
 #include <stdbool.h>
@@ -19,7 +19,7 @@
 #define __frexpf frexpf
 #define __ldexpf ldexpf
 
-// No aliases, versions or visibility.
+// No aliases, symbol versions or visibility attributes.
 #define attribute_hidden
 #define libm_alias_finite(from, to)
 #define libm_alias_float(from, to)

@@ -1,9 +1,9 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# Makes a folder with the libraries that the tools need for Windows and for which Debian has no mingw package: headers
-# of installed packages, and static libraries (GLFW: shared) built of Debian's sources.
+# Makes a folder with libraries for the Windows tools that Debian does not package for mingw: headers of installed
+# packages, and static libraries (GLFW: shared) built from Debian's sources.
 #   packaging/windows/libraries.sh FOLDER [headers]   headers: only those that pointrt-info needs; no network
-# Leaves a folder as it is that this script has made.
+# Does nothing if this version of the script has already made the folder.
 set -euo pipefail
 repository=$(cd "$(dirname "$0")/../.." && pwd)
 floats_header=$repository/packaging/windows/glibc_floats.h
@@ -13,7 +13,7 @@ prefix=$(mkdir -p "$1" && cd "$1" && pwd)
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 
-# Of Linux's headers only those that belong to no system: the others beside them would hide Windows's.
+# Only the Linux headers that are independent of the system: the others in that folder would hide those of Windows.
 mkdir -p "$prefix/include" "$prefix/lib/cmake/fmt"
 for header in CLI nlohmann fmt vulkan vk_video toml++ xxhash.h proj.h proj_experimental.h tinyexr.h; do
     cp -rLp "/usr/include/$header" "$prefix/include/"
@@ -26,7 +26,7 @@ target_compile_definitions(fmt::fmt INTERFACE FMT_HEADER_ONLY)
 END
 [ "${2:-}" != headers ] || exit 0
 
-# sources PACKAGE...: the sources of packages, by lists and settings apart from the system's.
+# sources PACKAGE...: downloads the sources of packages, with lists and settings separate from the system's.
 sources() {
     local mirror
     mkdir -p "$work/apt/lists/partial"
@@ -41,7 +41,7 @@ sources() {
     apt-get "${settings[@]}" update
     (cd "$work" && apt-get "${settings[@]}" source "$@" >"$work/log")
 }
-# Their assertions name their sources, but not in folders of this machine.
+# Their assertions contain source paths, which must not be paths of this machine.
 paths="-ffile-prefix-map=$work=. -ffile-prefix-map=$prefix=."
 
 # build NAME OPTION...: builds and installs a source folder NAME-* with CMake.
@@ -54,7 +54,7 @@ build() {
     cmake --build "$work/build-$name" --target install >"$work/log" || { cat "$work/log" && exit 1; }
 }
 
-# compile LIBRARY FLAGS SOURCE...: a static library of C sources, for those with no build that serves here.
+# compile LIBRARY FLAGS SOURCE...: compiles C sources to a static library, for packages without a usable build system.
 compile() {
     local library=$1 flags=$2 objects=$work/objects-$1
     shift 2
@@ -64,7 +64,7 @@ compile() {
         'source={}; x86_64-w64-mingw32-gcc-posix $flags -c "$source" -o "$objects/$(basename "$source").o"'
     x86_64-w64-mingw32-ar rcsD "$prefix/lib/lib$library.a" "$objects"/*.o
 }
-# describe NAME LIBRARIES: tells pkg-config of a static library with all that it links.
+# describe NAME LIBRARIES: writes a pkg-config file for a static library and everything it links.
 describe() {
     mkdir -p "$prefix/lib/pkgconfig"
     printf '%s\n' "Name: $1" "Description: static" "Version: 0" "Cflags: -I$prefix/include" \
@@ -75,7 +75,7 @@ sources libpng1.6 glfw3 imgui onetbb draco libzstd libwebp libjpeg-turbo tiff le
 build libpng1.6 -D PNG_SHARED=OFF -D PNG_TESTS=OFF -D PNG_EXECUTABLES=OFF
 build glfw3 -D BUILD_SHARED_LIBS=ON -D GLFW_BUILD_DOCS=OFF -D GLFW_BUILD_TESTS=OFF -D GLFW_BUILD_EXAMPLES=OFF
 
-# Dear ImGui has no build of its own
+# Dear ImGui has no build system of its own
 mkdir -p "$prefix/include/imgui"
 cp -p "$work"/imgui-*/*.h "$work"/imgui-*/misc/cpp/*.h "$prefix/include/imgui/"
 for source in imgui imgui_draw imgui_tables imgui_widgets misc/cpp/imgui_stdlib; do
@@ -85,7 +85,7 @@ for source in imgui imgui_draw imgui_tables imgui_widgets misc/cpp/imgui_stdlib;
 done
 x86_64-w64-mingw32-ar rcsD "$prefix/lib/libimgui.a" "$work"/imgui*.o
 
-# What pointrt-bake needs besides. Of these, headers, which lie apart from those of the system.
+# Additional headers for pointrt-bake, kept separate from those of the system.
 headers=$repository/build/headers/usr/include # where .ci/common.sh unpacks those of packages that are not installed
 for folder in eigen3/Eigen boost CGAL; do
     ln -sfn "/usr/include/$folder" "$prefix/include/$(basename "$folder")"
@@ -101,7 +101,7 @@ cat >"$prefix/lib/cmake/eigen3/Eigen3Config.cmake" <<'END'
 add_library(Eigen3::Eigen INTERFACE IMPORTED)
 target_include_directories(Eigen3::Eigen INTERFACE ${CMAKE_CURRENT_LIST_DIR}/../../../include)
 END
-# Without GMP and MPFR, whose exact numbers nothing here uses.
+# Without GMP and MPFR: nothing here uses their exact numbers.
 cat >"$prefix/lib/cmake/CGAL/CGALConfig.cmake" <<'END'
 add_library(CGAL::CGAL INTERFACE IMPORTED)
 target_include_directories(CGAL::CGAL INTERFACE ${CMAKE_CURRENT_LIST_DIR}/../../../include)
@@ -125,8 +125,9 @@ cp -rp "$work"/bzip2-*/bzlib.h "$work"/lz4-*/lib/lz4*.h "$work"/libzstd-*/lib/z*
     "$prefix/include/"
 build tiff -D BUILD_SHARED_LIBS=OFF -Dtiff-{tools,tests,contrib,docs}=OFF -D cxx=OFF
 
-# The bake rounds as it does on Linux: glibc's functions of floats, which differ from those of mingw-w64 in the last digit.
-# In double precision both are exact enough to give the same floats. They include headers of glibc that are empty here.
+# The bake must round as on Linux, so it uses glibc's float functions, which differ from those of mingw-w64 in the last
+# digit. In double precision both are exact enough to give the same floats. These functions include headers of glibc
+# that are empty here.
 sources --download-only glibc
 tar -xJf "$work"/glibc_*.orig.tar.xz -C "$work" --wildcards '*/sysdeps/ieee754/flt-32/*.[ch]' '*/sincosf_poly.h'
 floats=$(echo "$work"/glibc-*/sysdeps/ieee754/flt-32)

@@ -1,10 +1,11 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# Makes an archive of the tools for 64-bit Windows, which run wherever it is unpacked, and an installer of the same files:
-# the four tools, GLFW's library, documentation and licences. pointrt-bake is under the GPL, as LICENSE says.
-#   packaging/windows/package.sh [BUILD]   BUILD: a build folder of cmake/mingw-w64.cmake (default: build/windows, built first)
-# Prints both, pointrt-VERSION-windows-x86_64.zip and .exe in BUILD/packages. They have no date but that of the newest commit,
-# and no path of this machine.
+# Makes an archive of the tools for 64-bit Windows, which runs from any folder, and an installer of the same files: the
+# four tools, GLFW's library, documentation and licences. pointrt-bake is under the GPL (see LICENSE).
+#   packaging/windows/package.sh [BUILD]
+#   BUILD: a build folder made with cmake/mingw-w64.cmake (default: build/windows, built first)
+# Prints the paths of both: pointrt-VERSION-windows-x86_64.zip and .exe in BUILD/packages. Reproducible: their only date is
+# that of the newest commit, and they contain no paths of this machine.
 set -euo pipefail
 cd "$(dirname "$0")/../.."
 . .ci/common.sh
@@ -21,9 +22,9 @@ fi
 build=$(cd "$build" && pwd)
 name=pointrt-$version-windows-x86_64
 installTree "$build" "$name"
-rm -rf "$tree/share/mime" "$tree/share/applications" "$tree/share/icons" "$tree/share/thumbnailers" # of Linux's desktops
+rm -rf "$tree/share/mime" "$tree/share/applications" "$tree/share/icons" "$tree/share/thumbnailers" # for Linux desktops
 
-# what the programs are linked with
+# the libraries that the programs are linked with
 boost=$(dpkg-query -S /usr/include/boost/version.hpp | cut -d: -f1)
 copyLicences "$tree/share/doc/pointrt/libraries" "$boost" libbrotli-dev libbz2-dev libc6 libcgal-dev libcli11-dev \
     libdraco-dev libeigen3-dev libflann-dev libfmt-dev libglfw3-dev libimgui-dev libjpeg62-turbo-dev liblerc-dev liblz4-dev \
@@ -35,7 +36,7 @@ mkdir -p "$out"
 rm -f "$out/$name.zip"
 find "$tree" -exec touch -d "@$SOURCE_DATE_EPOCH" {} +
 (cd "$work" && find "$name" -type f | LC_ALL=C sort | TZ=UTC zip -9 -X -q "$out/$name.zip" -@)
-# Folder by folder, sorted: makensis takes the files of a folder in the order of the file system.
+# Folder by folder and sorted, because makensis takes the files of a folder in file system order.
 (cd "$tree" && find . -type f | LC_ALL=C sort) | awk -v tree="$tree" '{
     folder = $0; sub(/^\.\/?/, "", folder); sub(/\/?[^\/]*$/, "", folder); gsub(/\//, "\\", folder)
     if (folder != last) print "SetOutPath \"$INSTDIR\\" folder "\""

@@ -1,13 +1,14 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# Makes the wheel of the Python package for 64-bit Windows, for Python 3.12 and later: the module is linked with the stable
-# interface of Python alone, and otherwise needs no library but the system's.
+# Makes the wheel of the Python package for 64-bit Windows and Python 3.12 or later: the module is linked only with
+# Python's stable ABI, and needs no other libraries than those of the system.
 #   packaging/windows/wheel.sh LINUX_WHEEL [BUILD [PYTHON [OPTION...]]]
-#   LINUX_WHEEL: of the same sources (pip wheel ./python): its description of the module for type checkers serves here, too
-#   BUILD: a build folder of cmake/mingw-w64.cmake (default: build/windows, built first)
-#   PYTHON: a Python for Windows, a folder with include and libs (default: what python.sh unpacks, into BUILD/python)
-#   OPTION: of pip wheel
-# Prints the wheel, in BUILD/packages. It has no date but that of the newest commit, and no path of this machine.
+#   LINUX_WHEEL: made from the same sources (pip wheel ./python); its type stubs of the module are copied
+#   BUILD: a build folder made with cmake/mingw-w64.cmake (default: build/windows, built first)
+#   PYTHON: a folder with include and libs of a Python for Windows (default: BUILD/python, unpacked by python.sh)
+#   OPTION: options for pip wheel
+# Prints the path of the wheel in BUILD/packages. Reproducible: its only date is that of the newest commit, and it contains
+# no paths of this machine.
 set -euo pipefail
 [ $# -ge 1 ] || { sed -n 's/^#   //p' "$0" >&2 && exit 2; }
 linux_wheel=$(realpath "$1")
@@ -46,7 +47,7 @@ settings=(CMAKE_TOOLCHAIN_FILE="$PWD/cmake/mingw-w64.cmake" CMAKE_CXX_FLAGS="$pa
     nanobind_DIR="$("$maker/python" -m nanobind --cmake_dir)")
 PATH=$maker:$PATH quiet "$maker/pip" wheel "$PWD/python" --no-build-isolation --no-deps -w "$work/wheels" \
     -C build-dir="$work/build" -C build.targets=_core -C wheel.tags=cp312-abi3-win_amd64 "${settings[@]/#/-Ccmake.define.}" "${@:4}"
-# packed again, since scikit-build-core takes files of metadata in the order of the file system
+# repacked, because scikit-build-core takes metadata files in file system order
 quiet "$maker/wheel" unpack -d "$work/unpacked" "$work/wheels"/*.whl
 mkdir -p "$build/packages"
 quiet "$maker/wheel" pack -d "$build/packages" "$work/unpacked/pointrt-$version"

@@ -24,7 +24,7 @@ namespace pointrt {
 
 namespace {
 
-/// Fails before the work, not after it.
+/// Throws before the work rather than after it if the output cannot be written.
 void checkOutput(const BakeOptions& options) {
     format::AtomicFile output;
     if (output.open(options.output, options.force ? format::Existing::kReplaced : format::Existing::kKept)) return;
@@ -38,7 +38,7 @@ std::string sourceName(const BakeOptions& options) {
                : options.inputs.front() + " and " + std::to_string(options.inputs.size() - 1) + " more";
 }
 
-/// Errors found after reading concern the inputs together; this adds their name.
+/// Prefixes errors that concern all inputs together, found after reading, with their name.
 Splats estimateNamed(Cloud&& cloud, const BakeOptions& options, BakeReport& report, BakeProgress& progress) {
     std::string stage;
     const std::uint64_t points = cloud.positions.size();
@@ -75,7 +75,7 @@ ProContent takeMetadata(const BakeOptions& options, Cloud& cloud, BakeReport& re
 
 bool isUpKnown(const BakeReport& report) { return report.up_from == "option" || report.up_from == "file"; }
 
-/// Balls have no sides: discs of some of their points tell which way is up.
+/// Balls have no sides, so up is found from discs of some of their points.
 Splats discsOf(const Cloud& cloud, const BakeOptions& options) {
     constexpr std::size_t kEnough = 100'000; // findUp samples fewer
     const std::size_t step = 1 + cloud.positions.size() / kEnough;
@@ -93,8 +93,8 @@ Splats discsOf(const Cloud& cloud, const BakeOptions& options) {
     return estimateSplats(std::move(some), surface, report, {});
 }
 
-/// Finds or guesses the up direction unless the command line or a file gives it. What the surface tells overrides the
-/// custom of a format.
+/// Finds or guesses the up direction unless the command line or a file gives it. Evidence from the surface overrides
+/// the custom of a format.
 void findUpInData(const Splats& splats, BakeReport& report, WorldFrame& world) {
     if (isUpKnown(report)) return;
     const FoundUp found = findUp(splats, report.scans, {world.up, areMeshes(report.files)});
@@ -104,7 +104,8 @@ void findUpInData(const Splats& splats, BakeReport& report, WorldFrame& world) {
     report.up_reason = found.reason;
 }
 
-/// Where a capture does not tell, the custom of its format is a guess: programs keep the frame that their cameras had.
+/// If a capture has no evidence, the custom of its format is only a guess: programs keep the frame that their cameras
+/// had.
 void findUpOfCapture(const GaussianCloud& gaussians, BakeReport& report, WorldFrame& world) {
     findUpInData(surfaceOfGaussians(gaussians.points, gaussians.columns), report, world);
     if (report.up_from == nameOf(UpBasis::kCustom)) report.up_from = nameOf(UpBasis::kGuess);
@@ -131,7 +132,7 @@ void store(const BakeOptions& options, ProContent content, const PackedSplats& s
     report.octree = writePro(options.output, options.force, sections, options.index ? &index_view : nullptr);
 }
 
-/// Gaussians are kept as they are: no stage of surfaces changes them.
+/// Gaussians are kept as they are: the surface stages do not change them.
 void bakeGaussians(const BakeOptions& options, Cloud& cloud, BakeReport& report, BakeProgress& progress) {
     const GaussianCloud gaussians = [&] {
         try {
@@ -158,7 +159,7 @@ void bakeGaussians(const BakeOptions& options, Cloud& cloud, BakeReport& report,
     report.octree = writePro(options.output, options.force, scan, nullptr, &sections.view);
 }
 
-/// Points to a surface of splats.
+/// Converts points to a surface of splats.
 void bakeSurface(const BakeOptions& options, Cloud&& cloud, BakeReport& report, BakeProgress& progress) {
     const auto show = [&](double share) { progress.update(share); };
     ProContent content = takeMetadata(options, cloud, report);

@@ -18,8 +18,8 @@ namespace {
 /// Frequent enough to look smooth, rare enough to cost nothing.
 constexpr std::chrono::milliseconds kRedrawInterval{100};
 
-/// Share of the time of a bake per stage, in percent: between two measurements on eight scans of 38,000 to 1,500,000
-/// points. The index took 27 % on two busy cores, and 8 % in the earlier one.
+/// Share of the time of a bake per stage, in percent: a compromise between two measurements on eight scans of 38,000 to
+/// 1,500,000 points: the index took 27 % on two busy cores, and 8 % in the earlier measurement.
 constexpr StageWeight kWeights[] = {{"read", 7},     {"neighbors", 18}, {"normals", 18}, {"orientation", 5},
                                     {"cleaning", 8}, {"radii", 13},     {"quantize", 3}, {"octree", 6},
                                     {"prune", 10},   {"index", 18},     {"write", 2}};
@@ -50,7 +50,7 @@ constexpr const char* kWipe = "\r\033[K"; ///< erases the redrawn line
 template <typename... Values>
 void print(fmt::format_string<Values...> text, const Values&... values) {
     std::fputs(fmt::vformat(text, fmt::make_format_args(values...)).c_str(), stderr);
-    std::fflush(stderr); // which Wine's C library buffers where it is no terminal
+    std::fflush(stderr); // Wine's C library buffers it if it is not a terminal
 }
 
 double secondsBetween(std::chrono::steady_clock::time_point a, std::chrono::steady_clock::time_point b) {

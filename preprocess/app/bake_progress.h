@@ -39,7 +39,7 @@ public:
     void finish(); ///< ends the last stage
     /// Prints a line, unless quiet.
     void note(const std::string& text);
-    /// Prints a line if there is to be detail.
+    /// Prints a line if details are requested.
     void detail(const std::string& text);
 
     /// Seconds of each stage so far, in order; stages of the same name are summed.
@@ -56,7 +56,7 @@ private:
     const std::vector<StageWeight> weights_; ///< in the order of the stages
     Verbosity verbosity_;
     bool terminal_, lines_;
-    bool logs_stages_ = true; ///< one line per stage where there is no terminal
+    bool logs_stages_ = true; ///< one line per stage if there is no terminal
     std::string stage_;
     std::uint64_t points_ = 0;
     Clock::time_point start_, stage_start_, drawn_;

@@ -138,7 +138,7 @@ private:
         return plan;
     }
 
-    /// For META of the tiles.
+    /// The metadata for META of the tiles.
     std::string metadata() const {
         nlohmann::ordered_json json{{"writer", "pointrt-bake " POINTRT_VERSION}};
         const SetPlan& plan = report_.plan;
@@ -161,7 +161,7 @@ private:
         return false;
     }
 
-    /// Deletes the plan last: without that, its results would be taken for those of the next plan.
+    /// Deletes the plan last: without the plan, files that remain would be taken for results of the next one.
     void discardWork() const {
         const std::string plan = planFile(work_);
         std::error_code failure;
@@ -199,7 +199,7 @@ private:
         add("split", plan.points, bytes);
     }
 
-    /// The block of --step, or all.
+    /// The block of --step, or all blocks.
     BlockRange selectedBlocks() const {
         if (options_.tiles.step == SetStep::kAll) return {0, report_.plan.blocks()};
         return {options_.tiles.block, options_.tiles.block + 1};

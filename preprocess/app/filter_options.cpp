@@ -23,7 +23,7 @@ void eachPart(const std::string& text, const Use& use) {
     }
 }
 
-/// part is one class, or a range FIRST-LAST.
+/// Sets the flags of a part, which is one class, or a range FIRST-LAST.
 void markClasses(const std::string& option, std::string_view part, std::vector<bool>& classes) {
     const std::size_t dash = part.find('-');
     double first = 0, last = 0;

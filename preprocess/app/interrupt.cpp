@@ -14,7 +14,8 @@ namespace pointrt {
 
 namespace {
 
-/// Signals arrive on any thread. If one thread starts writing while another is interrupted, the first change counts.
+/// Signals may arrive on any thread. If one thread starts writing while another is interrupted, the first of the two
+/// changes wins.
 enum class State { kComputing, kWriting, kEnding };
 std::atomic<State> state = State::kComputing;
 std::atomic<bool> work_is_kept = false;
@@ -47,7 +48,8 @@ void keepWorkOnInterrupt() { work_is_kept = true; }
 void ignoreInterrupts() {
     State before = State::kComputing;
     if (!state.compare_exchange_strong(before, State::kWriting) && before == State::kEnding)
-        while (true) std::this_thread::sleep_for(std::chrono::hours(1)); // another thread says so, and ends the process
+        // the other thread reports it, and ends the process
+        while (true) std::this_thread::sleep_for(std::chrono::hours(1));
 }
 
 } // namespace pointrt

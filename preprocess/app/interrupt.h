@@ -8,11 +8,11 @@ namespace pointrt {
 /// on disk before the output is written.
 void installInterruptHandlers();
 
-/// Makes an interrupted process report that the same command resumes.
+/// Makes an interrupted process say that the same command resumes the bake.
 void keepWorkOnInterrupt();
 
 /// Ignores interrupts from now on: a run that writes its output is almost done, and one that has written it must not
-/// end as if it had not.
+/// end as if it had failed.
 void ignoreInterrupts();
 
 } // namespace pointrt

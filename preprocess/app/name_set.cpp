@@ -20,8 +20,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Exists from before the set gets its name until the work folder is clean. Its name has the checksum of set.json, and
-/// so of all tiles: it distinguishes a set that has got its name from one that is still to be replaced.
+/// A mark file that exists from just before the set gets its name until the work folder is clean. Its name has the
+/// checksum of set.json, which covers all tiles: so it distinguishes the finished set from an older one that it is to
+/// replace.
 std::string namedMark(const std::string& work, const std::string& set) {
     std::ifstream stream(setFileOf(set), std::ios::binary);
     const std::string json{std::istreambuf_iterator<char>(stream), {}};
@@ -43,7 +44,7 @@ void clear(const std::string& work, const std::string& mark, bool keep_work) {
     if (!keep_work) fs::remove(work, failure);
 }
 
-/// For file systems that cannot swap names; for a moment neither set has the name.
+/// For file systems that cannot exchange names; for a moment neither set has the name.
 bool moveAway(const std::string& finished, const std::string& output, const std::string& replaced) {
     std::error_code failure;
     removeAll(replaced, failure);

@@ -10,7 +10,7 @@ namespace pointrt {
 /// the work folder; with keep_work only what would obstruct the next bake. Throws Error (kCannotWrite).
 void nameSet(const SetPlan& plan, bool keep_work);
 
-/// Finishes the clean-up of a bake that was killed during it, when the set had its name.
+/// Completes the clean-up of a bake that was killed during it, after the set had got its name.
 void clearNamed(const std::string& output, const std::string& work, bool keep_work);
 
 } // namespace pointrt

@@ -70,13 +70,13 @@ constexpr const char* kExamples =
     "  pointrt-bake mesh.obj --sample 1000000 -o mesh.pro\n"
     "  zcat scan.xyz.gz | pointrt-bake - -f -o scan.pro\n";
 
-/// A range check without a description: the help of the option states the range.
+/// A range check without a description, since the option's help states the range.
 template <typename Value>
 CLI::Validator range(Value low, Value high) {
     return CLI::Range(low, high).description("");
 }
 
-/// CLI11 reads -1 as 2^64 - 1.
+/// Refuses negative numbers, as CLI11 reads -1 as 2^64 - 1.
 CLI::Validator notNegative() {
     return {[](const std::string& text) { return text.starts_with('-') ? text + " is negative" : std::string(); }, ""};
 }
@@ -120,7 +120,7 @@ void addInputOptions(CommandLine& app, BakeOptions& options) {
     app.add_flag("-f,--force", options.force, "Overwrite existing output");
     app.add_flag_callback(
         "--compact", [&] { options.index = false; },
-        "Omit the tracing index: the file is a quarter of the size, but pointrt-view takes longer to open it");
+        "Omit the tracing index: the file is less than half the size, but pointrt-view takes longer to open it");
     addInputFormat(app, options.read.format);
     app.add_option_function<std::uint64_t>(
            "--sample", [&](std::uint64_t count) { options.read.sample_count = count; },
@@ -159,7 +159,7 @@ void addFilterOptions(CommandLine& app, BakeOptions& options) {
         ->type_name("LIST")
         ->excludes(classes);
     app.add_option("--thin", read.filter.thin_spacing,
-                   "Keep the first point in each grid cube with edges of this length")
+                   "Thin the points: keep one in each cube of a grid with this edge length")
         ->check(range(std::numeric_limits<double>::min(), std::numeric_limits<double>::max()))
         ->type_name("SPACING");
     app.add_option("--every", read.filter.every, "Keep every N-th point (default 1)")
@@ -171,24 +171,23 @@ void addFilterOptions(CommandLine& app, BakeOptions& options) {
         ->check(range(0, 64))
         ->type_name("N");
     app.add_option("--skim", read.skim,
-                   "Read only the first part of each chunk of LAZ files, this share of its points, for a preview of a "
-                   "large file in seconds (default 1: all)")
+                   "Preview large LAZ files in seconds: read only this fraction of the points of each chunk, from its "
+                   "start (default 1: all)")
         ->check(range(1e-6, 1.0))
         ->type_name("SHARE");
-    app.add_flag(
-        "--salvage", read.salvages,
-        "Read the undamaged points of files that are truncated or announce more than they hold (default: refuse them)");
+    app.add_flag("--salvage", read.salvages,
+                 "Read the intact points of files that are truncated or have fewer points than their header says "
+                 "(default: refuse such files)");
     app.add_flag_callback(
         "--keep-withheld", [&] { read.drops_withheld = false; },
         "Keep points that LAS files flag as withheld (default: leave them out)");
     addParsed(app, "--transform", "Apply the 4x4 matrix in this text file to all inputs", [&](const std::string& text) {
         read.transform = readTransform(text);
     })->type_name("FILE");
-    addParsed(
-        app, "--up",
-        "Up axis in scan coordinates; auto: from the files, else estimated from the surface, else z for points and "
-        "y for meshes (default auto)",
-        [&](const std::string& text) { options.up = parseUp(text); })
+    addParsed(app, "--up",
+              "Up axis in scan coordinates; auto: as the files say, else estimated from the surface, else z for points "
+              "and y for meshes (default auto)",
+              [&](const std::string& text) { options.up = parseUp(text); })
         ->type_name("auto|x|y|z|-x|-y|-z");
     addParsed(app, "--attributes",
               "Extra per-point attributes to keep: auto (all), none, or a list, e.g. intensity,classification "
@@ -211,8 +210,9 @@ void addSurfaceOptions(CommandLine& app, BakeOptions& options) {
         "Orient normals; auto: towards known sensors, upwards for airborne lidar, else by a minimum spanning tree; "
         "none: leave them unoriented, which also turns off smoothing (default auto)");
     addChoice(app, "--splat", surface.splat, kSplatShapes,
-              "Shape of splats; ball: balls that touch their neighbours, of the points as they are, without smoothing; "
-              "auto: discs, and balls where points without normals are on no surface (default auto)");
+              "Shape of splats. disc: discs on the estimated surface. ball: balls that touch their neighbours, at the "
+              "points as measured, without smoothing. auto: discs, but balls for points without normals that lie on no "
+              "surface (default auto)");
     app.add_option("--radius-scale", surface.radius_scale, "Scale splat radii by this factor, 0.01 to 100 (default 1)")
         ->check(range(0.01, 100.0))
         ->type_name("S");
@@ -241,10 +241,9 @@ void addOctreeOptions(CommandLine& app, BakeOptions& options) {
     app.add_option("--probe-rays", options.pruning.probe_rays, "Probe rays per leaf, 1 to 65536 (default 64)")
         ->check(range(1u, 65536u))
         ->type_name("N");
-    app.add_option(
-           "--prune-harm", options.pruning.harm,
-           "Fraction of rays for which pruning may move the hit by more than 1 % of a radius, 1e-7 to 0.5 (default "
-           "0.0001)")
+    app.add_option("--prune-harm", options.pruning.harm,
+                   "Largest fraction of rays whose hit pruning may move by more than 1 % of a splat radius, 1e-7 to "
+                   "0.5 (default 0.0001)")
         ->check(range(1e-7, 0.5))
         ->type_name("H");
 }
@@ -259,11 +258,10 @@ void addTileSetOptions(CommandLine& app, BakeOptions& options) {
                    "Approximate number of points per tile, 1000 to 100000000 (default 1000000)")
         ->check(range(std::uint64_t{1000}, std::uint64_t{100'000'000}))
         ->type_name("N");
-    addParsed(
-        app, "--step",
-        "Run one step only, in this order: plan (reports the number of blocks), split, block:N for each block, levels, "
-        "tile:N for each block, top",
-        [&](const std::string& text) { parseSetStep(text, tiles); })
+    addParsed(app, "--step",
+              "Run only one step of the bake. The steps in order: plan (prints the number of blocks), split, block:N "
+              "for each block, levels, tile:N for each block, top",
+              [&](const std::string& text) { parseSetStep(text, tiles); })
         ->type_name("STEP");
     completes(app, "--step", setStepWords());
     app.add_flag("--keep-work", tiles.keep_work, "Keep NAME.proset.work after the bake");
@@ -303,7 +301,7 @@ void checkOutputName(const BakeOptions& options) {
 }
 
 void checkTileSetOptions(const CommandLine& app, BakeOptions& options) {
-    const std::string slashed = ".proset/"; // as shells complete folder names
+    const std::string slashed = ".proset/"; // the way shells complete folder names
     if (options.output.ends_with(slashed)) options.output.pop_back();
     if (options.isTileSet()) return;
     for (const char* name : {"--max-memory", "--tile-splats", "--step", "--keep-work"})
@@ -342,7 +340,7 @@ bool parseOptions(int argc, char** argv, BakeOptions& options) {
     addOctreeOptions(app, options);
     addTileSetOptions(app, options);
     addReportOptions(app, options);
-    addCommonOptions(app, POINTRT_VERSION, "a scan is malformed or empty", kExamples); // under the last heading
+    addCommonOptions(app, POINTRT_VERSION, "a scan is malformed or empty", kExamples); // after the last heading
     if (parseCommandLine(app, argc, argv)) return false;
     if (app.count("--quiet") > 0 && app.count("--verbose") > 0)
         throw Error(ExitCode::kBadUsage, "-q and -v cannot be combined");

@@ -57,7 +57,7 @@ bool parseOptions(int argc, char** argv, BakeOptions& options);
 /// Throws Error (kBadUsage).
 [[noreturn]] inline void refuseUsage(const std::string& reason) { throw Error(ExitCode::kBadUsage, reason); }
 
-/// The value on the command line for a choice.
+/// The word on the command line for a choice.
 std::string choiceName(NormalSource source);
 std::string choiceName(OrientMode mode);
 std::string choiceName(SplatShape splat);

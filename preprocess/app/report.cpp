@@ -21,7 +21,7 @@ Json worldJson(const WorldFrame& world) {
     return {{"up", vectorJson(world.up)}, {"metres_per_unit", world.metres_per_unit}, {"crs", world.crs}};
 }
 
-/// The world frame for META, which says where its up is from if no file and no user gave it.
+/// The world frame for META; it says how up was found if no file and no user gave it.
 Json worldMetadata(const BakeReport& report) {
     Json json = worldJson(report.world);
     if (report.up_reason.empty()) return json;
@@ -69,7 +69,7 @@ Json noiseJson(const BakeReport& report) {
     return scans;
 }
 
-/// The files that were cut short, and how many of their points there are.
+/// The truncated files, and how many of their points were read.
 Json salvagedJson(const BakeReport& report) {
     Json files = Json::array();
     for (const FileReport& file : report.files)

@@ -50,7 +50,7 @@ std::string metadataJson(const BakeOptions& options, const BakeReport& report);
 
 /// One line for the user about a file that was read.
 std::string fileLine(const FileReport& file);
-/// ", 0.05 s, 1.6 million points/s", to be added to it.
+/// ", 0.05 s, 1.6 million points/s", to append to fileLine.
 std::string rateText(const FileReport& file);
 
 } // namespace pointrt

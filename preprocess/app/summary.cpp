@@ -36,12 +36,12 @@ Counts leftOut(const BakeReport& report) {
         {report.surface.outliers_removed, "strays"}, {report.surface.clean_dropped, "off the surface"}};
 }
 
-/// The points before any was left out, as far as they were counted.
+/// The number of points before any was left out, as far as they were counted.
 std::uint64_t pointsBefore(const BakeReport& report) {
     return report.input_points + (report.points_sampled > 0 ? report.points_unused : 0);
 }
 
-/// " (--clean off and --outliers keep turn this off)", as far as they apply.
+/// " (--clean off and --outliers keep turn this off)", with the options that apply.
 std::string adviceOn(const BakeReport& report) {
     const bool cleaned = report.surface.clean_dropped + report.surface.clean_moved + report.filled > 0;
     const bool stray = report.surface.outliers_removed > 0;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a bake tells the user: the points it read, what it did with them, and its result.
+// Lines that a bake prints for the user: the points it read, what it did with them, and its result.
 #pragma once
 
 #include <string>
@@ -12,7 +12,7 @@ namespace pointrt {
 std::string inputLine(const BakeReport& report);
 
 /// "left out 3 of 81590 points (1 not finite, 2 strays); moved 4630 to smooth noise": everything that was left out,
-/// moved or invented, and the options against it.
+/// moved or added, and the options that turn it off.
 std::string changesLine(const BakeReport& report);
 
 /// "81238 splats, 12.3 MB, 5.10 s; up is z, from the scan's ground (change it with --up)".

@@ -50,10 +50,10 @@ struct RangeGrid {
     }
 };
 
-/// The world frame of the input coordinates, as far as files give it; values on which files disagree are unknown.
+/// The world frame of the input coordinates, as far as files state it; values on which files disagree are unknown.
 struct WorldFrame {
     Vec3d up = Vec3d::Zero();   ///< unit length; zero: unknown
-    bool up_by_custom = false;  ///< up is customary for the format, not given by the file
+    bool up_by_custom = false;  ///< up is the custom of the format, not stated by the file
     double metres_per_unit = 0; ///< 0: unknown
     bool from_above = false;    ///< airborne: all surfaces were scanned from above
     std::string crs;            ///< coordinate system: WKT, or "EPSG:N"; "": unknown

@@ -17,7 +17,7 @@ struct Splats {
     /// Index of each splat's point in the cloud; from input_count on for splats that fill gaps between points.
     std::vector<std::uint32_t> input_index;
     std::uint32_t input_count = 0; ///< points of the cloud as read
-    /// For filling splat input_count + i: index in the cloud of the point whose attributes it gets.
+    /// For filling splat input_count + i: index in the cloud of the point that it copies attributes from.
     std::vector<std::uint32_t> filled_from;
     /// Standard deviation of the surface around each splat after cleaning, input units; empty if the cloud is clean.
     std::vector<float> noise;

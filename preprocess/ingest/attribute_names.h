@@ -17,7 +17,8 @@ std::string attributeName(std::string_view written);
 /// Names the columns of one file uniquely.
 class AttributeNames {
 public:
-    /// The attribute's name, or the word as written if another column has that name; nullopt if that is taken too.
+    /// The attribute's name, or the column's original name if another column has the attribute's name; nullopt if that
+    /// is taken too.
     std::optional<std::string> take(std::string_view written);
 
 private:

@@ -20,9 +20,10 @@ constexpr AxisNames kAxisNames[] = {
     {"easting east eastings e", "northing north northings n"},
     {"rechtswert rechts rw ostwert ost est este", "hochwert hoch hw nordwert nord norte"},
     {"longitude lon long lng", "latitude lat", true},
-    {"points0", "points1"}, // ParaView: "Points:0" or "Points_0"
+    {"points0", "points1"}, // ParaView's names "Points:0" or "Points_0"
 };
-/// Heights are named the same whatever x and y are; "Höhe" in UTF-8 and in Latin-1, as German programs write it.
+/// Names of heights, which do not depend on those of x and y; "Höhe" in UTF-8 and in Latin-1, as German programs write
+/// it.
 constexpr std::string_view kHeights = "z height elevation elev altitude alt h hoehe höhe h\xf6he cota quota up points2";
 
 bool isWordOf(std::string_view words, std::string_view wanted) {
@@ -34,7 +35,7 @@ bool isWordOf(std::string_view words, std::string_view wanted) {
     return false;
 }
 
-/// Removes one of these words from the start or the end of a name that is longer.
+/// Removes one of these words from the start or the end of a longer name.
 bool strip(std::string& name, std::string_view word) {
     if (name.size() <= word.size()) return false;
     if (name.starts_with(word))
@@ -46,7 +47,7 @@ bool strip(std::string& name, std::string_view word) {
     return true;
 }
 
-/// In lower case, without signs and the words that headers add: "Pos_X" and "x coordinate" become "x".
+/// Converts to lower case and removes signs and words that headers add: "Pos_X" and "x coordinate" become "x".
 std::string essence(std::string_view written) {
     std::string name;
     for (const std::string_view unit : std::initializer_list<std::string_view>{"_m", " m", "_ft", " ft"})

@@ -10,9 +10,9 @@
 
 namespace pointrt {
 
-/// Gives x, y and z that no column is named after to columns with other names of theirs: "pos_x", "Easting", "E",
-/// "longitude", "Rechtswert" for x, and so on. dimensions, names: one per column.
-/// Returns whether x and y are degrees of longitude and latitude.
+/// If no column is named x, y or z, assigns that dimension to a column with another name for it: "pos_x", "Easting",
+/// "E", "longitude", "Rechtswert" for x, and so on. dimensions, names: one per column. Returns whether x and y are
+/// degrees of longitude and latitude.
 bool findAxes(std::span<const std::string> names, std::span<Dimension> dimensions);
 
 } // namespace pointrt

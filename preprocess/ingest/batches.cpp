@@ -30,7 +30,7 @@ void BatchStorage::verticesAdded(CurrentScan& scan) {
     handOn(scan);
 }
 
-/// The first pass only measures colours that wait for a scale, and drops them.
+/// The first pass only measures colours that must be scaled, and drops them.
 void BatchStorage::scaleColors(CurrentScan& scan) {
     if (!scan.colors.waits()) return;
     auto& largest = findings_.largest_color;

@@ -25,7 +25,7 @@ struct PointBatch {
     const std::vector<std::string>& untyped;
 };
 
-/// What batches are and where they go.
+/// The size of batches, and their receiver.
 struct BatchOptions {
     std::size_t points = std::size_t{1} << 20; ///< hand a batch on from this many points
     std::function<void(const PointBatch&)> take;
@@ -37,7 +37,7 @@ struct BatchOptions {
     std::uint64_t most_in_grid = std::uint64_t{1} << 24;
 };
 
-/// What a pass over the files finds about colours.
+/// Findings of a pass over the files about colours.
 struct BatchFindings {
     std::vector<float> largest_color; ///< by scan, see BatchOptions
     bool colors = false;              ///< some scan has colours

@@ -12,7 +12,7 @@ namespace {
 /// Enough to distinguish the location of a scan from no-data values at its start.
 constexpr std::size_t kFirstPositions = 256;
 
-/// Each position once: no-data values come in large numbers.
+/// Each position once, because no-data values occur in large numbers.
 std::vector<Vec3d> distinct(std::vector<Vec3d> positions) {
     const auto key = [](const Vec3d& position) { return std::array{position.x(), position.y(), position.z()}; };
     std::sort(positions.begin(), positions.end(), [&](const Vec3d& a, const Vec3d& b) { return key(a) < key(b); });

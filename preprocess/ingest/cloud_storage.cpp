@@ -13,7 +13,8 @@ void CloudStorage::finishScan(CurrentScan& scan, const InputFile& input) {
     scan.faces.finish(cloud_, input, scan.vertices, paint_);
 }
 
-/// A scan whose colours are all black has none: its points become grey if another scan has some.
+/// A scan whose colours are all black counts as a scan without colours: its points become grey if another scan has
+/// colours.
 void CloudStorage::dropBlack(CurrentScan& scan, const InputFile& input) {
     const auto first = cloud_.colors.begin() + static_cast<std::ptrdiff_t>(scan.first_position);
     const bool black = std::all_of(first, cloud_.colors.end(), [](const Rgb8& color) { return color == Rgb8{}; });

@@ -29,9 +29,9 @@ struct ColumnTraits {
     /// The file declares no type, the reader chose one: once all files are read, values are converted to the smallest
     /// type that holds all of them exactly (narrowAttributes).
     bool untyped = false;
-    /// Dropped if all values of all files are 0, unless attributes were selected by name (dropMinorAttributes).
+    /// Dropped if all values of all files are 0, unless attributes are selected by name (dropMinorAttributes).
     bool minor = false;
-    /// Part of the geometry, as those of Gaussians are: kept whatever attributes are selected.
+    /// Part of the geometry, such as those of Gaussians: kept whatever attributes are selected.
     bool required = false;
 };
 
@@ -66,8 +66,8 @@ void addValues(const Columns& columns, Cloud& cloud, const char* values);
 void addColumns(const Columns& columns, Cloud& cloud, std::span<const char* const> arrays,
                 std::span<const std::uint32_t> kept, std::size_t count);
 
-/// Fills all attributes up to the cloud's number of positions, with 0, or NaN in reals but harmonics of Gaussians, of
-/// which a file may have fewer. Minor ones stay empty until one of their values is not 0.
+/// Fills all attributes up to the cloud's number of positions: with 0, but reals with NaN, except harmonics of
+/// Gaussians, of which a file may have fewer. Minor ones stay empty until one of their values is not 0.
 void fillAttributes(Cloud& cloud, const Columns& columns);
 
 /// Throws Error (kBadInput) if a selected attribute is in no file; the message lists the available ones.

@@ -13,10 +13,10 @@ namespace pointrt {
 Eigen::Vector2d metresPerDegree(double latitude);
 
 /// Converts degrees of longitude and latitude to metres east (x) and north (y) of the middle of all points. The scale
-/// is exact there; a kilometre north of it x is off by 0.016% times the tangent of the latitude. Positions are off by
-/// up to 3 mm within a degree of the cloud's origin, since they were floats in degrees. z, attributes, normals and
-/// radii stay. The cloud loses its named coordinate system; a note for the file says how to keep degrees. Returns
-/// false, with a note and nothing changed, if the coordinates cannot be degrees.
+/// is exact there; a kilometre north of it x is off by 0.016% times the tangent of the latitude. Within a degree of the
+/// cloud's origin, positions are off by up to 3 mm, since they were floats in degrees. Leaves z, attributes, normals
+/// and radii unchanged. The cloud loses its named coordinate system; a note for the file says how to keep degrees.
+/// Returns false, with a note and nothing changed, if the coordinates cannot be degrees.
 bool scaleDegrees(Cloud& cloud, const std::string& file);
 
 } // namespace pointrt

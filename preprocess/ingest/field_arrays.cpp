@@ -40,10 +40,10 @@ bool isPackedColor(const FieldArray& field) {
     return named && field.components == 1 && scalarSize(field.type) == 4;
 }
 
-/// Components with a dimension: three of a vector, whatever else it has, or one.
+/// The number of components with a dimension: three of a vector, or one.
 std::size_t rowComponents(const FieldArray& field) { return field.components >= 3 ? 3 : 1; }
 
-/// A number that goes to a row, or a packed colour.
+/// A component whose value goes to a row, or a packed colour.
 struct RowSource {
     const FieldArray* field;
     std::size_t offset; ///< from the field's first
@@ -113,7 +113,7 @@ void findDimensions(std::span<FieldArray> fields) {
         const Dimension vector = field.components >= 3 ? dimensionOfVector(field.name) : kIgnored;
         const Dimension single = field.components == 1 ? dimensionOfName(field.name) : kIgnored;
         dimensions.push_back(vector == kIgnored ? single : vector);
-        if (vector != kIgnored) // stands for all three
+        if (vector != kIgnored) // stands for all three dimensions
             dimensions.insert(dimensions.end(),
                               {static_cast<Dimension>(vector + 1), static_cast<Dimension>(vector + 2)});
     }

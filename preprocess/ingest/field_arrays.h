@@ -36,13 +36,13 @@ void findDimensions(std::span<FieldArray> fields);
 
 bool hasPositions(std::span<const FieldArray> fields);
 
-/// Starts a scan and adds its points; the caller finishes it. Fields without a dimension become attributes; those of
-/// more than 4 components or with a name that is taken are noted. Positions must be among the fields.
+/// Starts a scan and adds its points; the caller finishes it. Fields without a dimension become attributes; those with
+/// more than 4 components or a duplicate name are listed in a note. Positions must be among the fields.
 /// @param faces whether polygons will follow
 void addFieldPoints(const InputFile& input, std::span<const FieldArray> fields, std::uint64_t count, Sink& sink,
                     bool faces = false);
 
-/// The same in parts: starts a scan of as many points (0: unknown) with fields like these, and adds points to it.
+/// The same in two steps: starts a scan of this many points (0: unknown) with fields like these, and adds points to it.
 void beginFieldScan(const InputFile& input, std::span<const FieldArray> fields, std::uint64_t count, Sink& sink,
                     bool faces = false);
 void addToFieldScan(std::span<const FieldArray> fields, std::uint64_t count, Sink& sink);

@@ -19,7 +19,8 @@ enum class Content {
 struct FormatReader {
     /// Recognises the format by a file's first bytes; null if it has no signature.
     bool (*isStart)(std::string_view bytes) = nullptr;
-    /// Recognises the format by a line of text that is not a comment; null if no line decides. first: of the file
+    /// Recognises the format by a line of text that is not a comment; null if no line identifies it. first: it is the
+    /// first line of the file
     bool (*isLine)(std::string_view line, bool first) = nullptr;
     /// Throws Error with "FILE[:PLACE]: reason" if the input is malformed.
     void (*read)(const InputFile& input, Sink& sink);

@@ -30,11 +30,12 @@ double angleBetween(const Cloud& cloud, const Vec3f& sensor, std::uint32_t a, st
     return std::atan2(u.cross(v).norm(), u.dot(v));
 }
 
-/// Whether the last column is adjacent to the first: seen from the sensor, in more than half of the rows with these
-/// points they are hardly further apart than neighbours within the row. A full turn has more than a few columns.
+/// Whether the last column is adjacent to the first. If so, in more than half of the rows with points in both, these
+/// are, seen from the sensor, hardly further apart than neighbours within the row. A full turn has more than a few
+/// columns.
 bool wrapsAround(const Cloud& cloud, const Vec3f& sensor, const RangeGrid& grid) {
     constexpr std::uint32_t kFewestColumns = 16;
-    constexpr double kStepsApart = 1.75; // between 1, and 2 if a column is missing
+    constexpr double kStepsApart = 1.75; // steps between neighbours: between 1, and 2 if a column is missing
     if (grid.columns < kFewestColumns) return false;
     std::size_t near = 0, rows = 0;
     for (std::uint32_t row = 0; row < grid.rows; ++row) {
@@ -50,7 +51,7 @@ bool wrapsAround(const Cloud& cloud, const Vec3f& sensor, const RangeGrid& grid)
 
 /// Why the grid is invalid, or "".
 std::string faultOf(const GridBuilder& built, std::size_t first, std::size_t points) {
-    constexpr std::uint64_t kCollisionShare = 4; // fewer than one in 4 are echoes
+    constexpr std::uint64_t kCollisionShare = 4; // scanners that record echoes have fewer than one in 4
     if (built.beyond > 0) return fmt::format("{} of its points lie outside its grid", built.beyond);
     if (kCollisionShare * built.collisions > built.occupied + built.collisions)
         return fmt::format("{} of its points lie in occupied cells of its grid", built.collisions);

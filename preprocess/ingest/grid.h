@@ -16,10 +16,10 @@ struct InputFile;
 struct GridBuilder {
     std::optional<RangeGrid> grid;
     std::uint64_t occupied = 0;   ///< cells with a sample, filtered ones included
-    std::uint64_t left_out = 0;   ///< of them, filtered
+    std::uint64_t left_out = 0;   ///< filtered ones among them
     std::uint64_t collisions = 0; ///< vertices whose cell was occupied
     std::uint64_t beyond = 0;     ///< vertices outside the grid
-    bool too_large = false;       ///< for the memory of a reading in batches
+    bool too_large = false;       ///< for the memory of reading in batches
 };
 
 /// Declares the vertices of the current scan to be samples of a grid. Allocates 4 bytes per cell: the caller must have

@@ -44,7 +44,7 @@ void readStream(int descriptor, InputFile& input) {
     input.owner = std::move(text);
 }
 
-/// Refuses devices, which have no end, but for terminals, whose user ends the input.
+/// Refuses devices, which have no end, except terminals, where the user ends the input.
 bool isReadable(int descriptor, FileKind kind, NamedBy named_by) {
     if (kind == FileKind::kRegular) return true;
     if (named_by == NamedBy::kFile) return false;

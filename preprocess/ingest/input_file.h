@@ -22,7 +22,8 @@ struct InputFile {
     const char* end() const { return bytes.data() + bytes.size(); }
 };
 
-/// Who named an input. A user may name a pipe. A file may only name regular files: a pipe would block.
+/// Whether the user or a file named an input. A user may name a pipe; a file may only name regular files, since a pipe
+/// would block.
 enum class NamedBy { kUser, kFile };
 
 /// Maps or reads path ("-" is standard input) and decompresses gzip.
@@ -39,7 +40,8 @@ struct ReleasePagesBehind {
 
     /// done: number of bytes read
     void operator()(std::uint64_t done) {
-        constexpr std::uint64_t kStep = 8 << 20; // little beside the memory of a bake, and still few calls
+        // small compared with the memory of a bake, but large enough for few calls
+        constexpr std::uint64_t kStep = 8 << 20;
         if (done > kept_from + kStep) releasePages(input, kept_from = done);
     }
 };

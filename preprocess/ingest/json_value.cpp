@@ -22,7 +22,7 @@ bool JsonValue::has(const char* key) const {
 }
 
 JsonValue JsonValue::member(const char* key) const {
-    const std::string name = printable(key); // of a table in a PNTS file, a name is anyone's
+    const std::string name = printable(key); // of a table in a PNTS file, whose names may be arbitrary
     const std::string place = place_.empty() ? name : place_ + "." + name;
     if (!has(key)) refuseAt(*input_, place, "is missing");
     return {*input_, *value_->find(key), place};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Values of a JSON file with their places, for readers that trust none of them.
+// Values of a JSON file with their places, for readers that trust none of the values.
 #pragma once
 
 #include <cstdint>
@@ -15,8 +15,8 @@ namespace pointrt {
 /// Parses the text, which is the input's or a part of it. Throws Error if it is not JSON.
 nlohmann::json parseJson(const InputFile& input, std::string_view text);
 
-/// A value that must have the type it is used as: functions throw Error with the file and the place, such as
-/// "meshes[0].primitives[2].mode", if it has not. Valid as long as the input and the parsed JSON.
+/// A value that must have the type as which it is used: otherwise functions throw Error with the file and the place,
+/// such as "meshes[0].primitives[2].mode". Valid as long as the input and the parsed JSON.
 class JsonValue {
 public:
     JsonValue(const InputFile& input, const nlohmann::json& root) : input_(&input), value_(&root) {}

@@ -7,13 +7,13 @@
 namespace pointrt {
 namespace {
 
-/// The pixels before and after a place along an axis of `size` pixels, and how near it is to the second.
+/// The two pixels on either side of a place along an axis of `size` pixels, and the weight of the second.
 struct PixelPair {
     std::size_t first = 0, second = 0;
     double share = 0;
 };
 
-/// Places beyond [0, 1] repeat the picture: 1 itself is its far edge, not the near one.
+/// Places beyond [0, 1] repeat the picture; 1 itself is its far edge, not the near one.
 PixelPair pixelsAround(double place, std::uint32_t size) {
     const double inside = place >= 0 && place <= 1 ? place : place - std::floor(place);
     const double last = size - 1.0, pixel = std::clamp(inside * size - 0.5, 0.0, last);

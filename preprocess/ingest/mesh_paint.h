@@ -33,7 +33,7 @@ struct FacePaint {
     std::array<Eigen::Vector2f, 3> places{}; ///< of its corners in the picture
 };
 
-/// The colour of a polygon, and the places of its corners if that is a picture.
+/// The colour of a polygon; for a picture, the places of its corners in it.
 struct PolygonPaint {
     std::uint32_t picture = FacePaint::kNone;
     Rgb8 color{};
@@ -47,10 +47,10 @@ struct PolygonPaint {
 };
 
 struct MeshPaint {
-    std::vector<FacePaint> faces; ///< of the cloud's first triangles; those beyond have no colour
+    std::vector<FacePaint> faces; ///< for the cloud's first triangles; further ones have no colour
     std::vector<Picture> pictures;
     std::map<std::string, std::uint32_t> picture_of_file; ///< by its path, or another key
-    std::uint64_t picture_file_bytes = 0;                 ///< of these files
+    std::uint64_t picture_file_bytes = 0;                 ///< total size of these files
 
     bool has(std::size_t face) const { return face < faces.size() && faces[face].picture != FacePaint::kNone; }
     /// The colour of a face with one. weights: barycentric

@@ -9,7 +9,7 @@
 namespace pointrt {
 namespace {
 
-constexpr double kFarZero = 10;   // times the extent of the others
+constexpr double kFarZero = 10;   // a zero is far if it is this many times the extent of the others away
 constexpr std::uint64_t kFew = 4; // fewer than one in 4 points
 
 /// Whether programs use a value for missing data: three nines or more, the ends of 16- and 32-bit integers, powers of
@@ -50,7 +50,8 @@ NoData NoDataSurvey::candidate(std::size_t axis, bool is_low) const {
     return found;
 }
 
-/// Distance of an extreme from the others over their extent; 0 unless two points or more share it and others do not.
+/// The distance of an extreme value from the others, relative to their extent; 0 unless two or more points share it and
+/// there are others.
 double NoDataSurvey::timesAsFar(std::size_t axis, bool is_low) const {
     const Extreme &extreme = (is_low ? low_ : high_)[axis], &opposite = (is_low ? high_ : low_)[axis];
     if (extreme.count < 2 || extreme.count == points_) return 0;
@@ -58,7 +59,7 @@ double NoDataSurvey::timesAsFar(std::size_t axis, bool is_low) const {
     return others > 0 ? gap / others : 0;
 }
 
-/// Points at x = y = 0 far from the others, as writers without a return put them.
+/// Points at x = y = 0 far from the others, which some programs write for missing returns.
 std::optional<NoData> NoDataSurvey::zeroPlace() const {
     for (const bool x_low : {true, false})
         for (const bool y_low : {true, false}) {

@@ -20,8 +20,8 @@ struct NoData {
     std::uint64_t points = 0;
     bool is_low = false; ///< below all other values
     double limit = 0;    ///< halfway to them
-    /// The value is one that programs use for missing data. Otherwise it is as far away and as frequent, but may be
-    /// meant.
+    /// Whether programs commonly use the value for missing data. Otherwise it is as far away and as frequent, but may
+    /// be valid.
     bool is_customary = false;
 
     bool marks(const Vec3d& in_scan) const { return is_low ? in_scan[axis] < limit : in_scan[axis] > limit; }
@@ -36,13 +36,13 @@ public:
         addExtremes(in_scan);
     }
 
-    /// Values that two points or more share and that are far from all others: a customary value farther than the
-    /// others are from each other, x = y = 0, or z = 0 of a few points, ten times as far, and, not customary, any value
-    /// of a few points a hundred times as far.
+    /// Values that two or more points share and that are far from all others. A customary value must be farther away
+    /// than the extent of the others; x = y = 0, or z = 0 for a few points, ten times as far; any other value, for a
+    /// few points, a hundred times as far, and it does not count as customary.
     std::vector<NoData> find() const;
 
 private:
-    /// The lowest value, how many have it, and the one above it.
+    /// The lowest value, how many points have it, and the next higher one.
     struct Extreme {
         double lowest = std::numeric_limits<double>::infinity(), next = std::numeric_limits<double>::infinity();
         std::uint64_t count = 0;
@@ -66,8 +66,8 @@ private:
     double timesAsFar(std::size_t axis, bool is_low) const;
 
     std::uint64_t points_ = 0;
-    std::array<Extreme, 3> low_, high_; ///< high_: of the negated values
-    /// The values next to the extremes: points within them, nearly all of a scan, change nothing.
+    std::array<Extreme, 3> low_, high_; ///< high_: for the negated values
+    /// The values next to the extremes: points between them, which are nearly all points of a scan, change nothing.
     Vec3d inner_low_ = Vec3d::Constant(std::numeric_limits<double>::infinity()), inner_high_ = -inner_low_;
 };
 

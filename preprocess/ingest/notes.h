@@ -8,7 +8,7 @@
 
 namespace pointrt {
 
-/// Adds a note about a file. A text that is already there is not repeated: it only counts one more file.
+/// Adds a note about a file. A text that exists already is not repeated: its count of files is increased.
 void addNote(Cloud& cloud, const std::string& file, const std::string& text);
 
 } // namespace pointrt

@@ -34,7 +34,7 @@ struct PlainNumber {
     std::size_t digits = 0; ///< of the current group
     bool grouped = false, has_decimals = false;
 
-    /// Whether a group may end here: 1 to 3 digits without a leading zero, then 3 each.
+    /// Whether a group of digits may end here: 1 to 3 digits without a leading zero for the first group, then 3 each.
     bool endsGroup() const { return grouped ? digits == 3 : digits >= 1 && digits <= 3 && !startsWithZero(); }
     bool startsWithZero() const { return text[text.size() - digits] == '0'; }
 
@@ -51,7 +51,7 @@ struct PlainNumber {
         return true;
     }
     bool add(char letter) {
-        if (letter == '.' || letter == ',') return false; // of another style
+        if (letter == '.' || letter == ',') return false; // the sign of another style
         digits += isDigit(letter) && !has_decimals;
         text += letter;
         return true;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Numbers as people's programs write them: with decimal points or commas, and separators between thousands.
+// Numbers as programs for people write them: with decimal points or commas, and separators between thousands.
 #pragma once
 
 #include <optional>
@@ -30,7 +30,7 @@ public:
     /// Ignores fields that are numbers in no style.
     void add(std::string_view field);
 
-    /// The plainest style that is left. Where no style fits all numbers, the one that fits the first ones.
+    /// The plainest style that fits all numbers; if none does, the one that fits the first numbers.
     NumberStyle style() const;
     /// Whether commas may separate decimals or thousands: each is before three digits.
     bool isAmbiguous() const;

@@ -37,7 +37,7 @@ bool CellSet::insert(std::int64_t x, std::int64_t y, std::int64_t z) {
 }
 
 bool PointFilter::isFirstOfCell(const Vec3d& position) {
-    constexpr double kMost = 0x1p41; // cells from zero; points beyond share the last one
+    constexpr double kMost = 0x1p41; // in cells from zero; points beyond share the last cell
     const Vec3d cell = (position / options_.thin_spacing).array().floor().max(-kMost).min(kMost - 1);
     const Eigen::Matrix<std::int64_t, 3, 1> index = cell.cast<std::int64_t>();
     return cells_.insert(index.x(), index.y(), index.z());

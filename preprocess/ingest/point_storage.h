@@ -42,8 +42,8 @@ public:
     virtual std::uint64_t count() const = 0;
     /// Whether the cloud keeps all points: only then may it have faces and a sensor for each point.
     virtual bool keepsPoints() const = 0;
-    /// Asks to keep the points of the current scan until it is finished, because it has a grid. Returns false if they
-    /// may take too much memory.
+    /// Requests to keep the points of the current scan until it is finished, because it has a grid. Returns false if
+    /// they may take too much memory.
     virtual bool gatherScan(std::uint64_t cells) = 0;
     /// Whether all points of the current scan are still in the cloud.
     virtual bool holdsScan() const = 0;

@@ -24,7 +24,7 @@ public:
     /// Starts a scan. beginColumns() must have been called with its traits.
     void begin(const ScanTraits& traits, const Columns& columns, const Cloud& cloud);
 
-    /// Adds the colour of a vertex. Bytes go to the cloud at once, other scales wait for scale().
+    /// Adds the colour of a vertex. Bytes go to the cloud at once; other values wait until scale() is called.
     void add(Cloud& cloud, const Row& row, const char* values);
     /// Adds 16-bit colours of many vertices. kept: indices of the vertices to keep
     void addColumn(std::span<const char* const> columns, std::span<const std::uint32_t> kept);
@@ -44,7 +44,7 @@ private:
     bool has_colors_ = false;
     ColorScale scale_ = ColorScale::kByte;
     std::optional<ColumnPlace> rgb16_column_;
-    std::optional<std::size_t> rgb16_attribute_;    ///< of the cloud, if that keeps the 16-bit colours unchanged
+    std::optional<std::size_t> rgb16_attribute_;    ///< index in the cloud, if it keeps the 16-bit colours unchanged
     std::vector<Rgb16> rgb16_;                      ///< of kept vertices, if no attribute keeps them
     std::vector<std::array<float, 3>> wide_colors_; ///< of kept vertices: kInteger and kReal
 

@@ -20,8 +20,8 @@ struct Pose {
 };
 
 /// How colour values become 8-bit ones. Bytes stay as they are. Integers are taken for 16-bit values if any exceeds
-/// 255. Reals are in [0, 1]; if any exceeds 1, they are treated as integers. 16-bit colours come in a column kRgb16
-/// beside the row: their largest value decides the scale, and the attribute keeps all of their bits.
+/// 255. Reals are in [0, 1]; if any exceeds 1, they are treated as integers. 16-bit colours are in a column kRgb16
+/// beside the row: their largest value determines the scale, and the attribute keeps all bits.
 enum class ColorScale { kByte, kInteger, kReal, k16Bit };
 
 /// Properties that a reader declares before the first vertex.

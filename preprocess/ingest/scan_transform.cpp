@@ -12,7 +12,8 @@ void ScanTransform::update() {
         pose.translation() = input_from_scan->translation;
         world_from_scan_ = world_from_scan_ * pose;
     }
-    // Normals transform by the inverse transpose. That of a rotation is the rotation itself, which keeps every bit.
+    // Normals transform by the inverse transpose, which for a rotation is the rotation itself; using it keeps every
+    // bit.
     const Eigen::Matrix3d linear = world_from_scan_.linear();
     mirrors_ = linear.determinant() < 0;
     const bool rigid = (linear * linear.transpose()).isIdentity(1e-9);
@@ -22,7 +23,7 @@ void ScanTransform::update() {
 Vec3f ScanTransform::normal(const Row& row) const {
     const Vec3d normal(row[kNormalX], row[kNormalY], row[kNormalZ]);
     if (!normal.allFinite()) return Vec3f::Zero();
-    // Without a transform the normal must not be multiplied: that could change the sign of a zero.
+    // Without a transform, normals are not multiplied, since that could change the sign of a zero.
     const bool moves = input_from_scan || world_from_input;
     const Vec3f rounded = (moves ? Vec3d(normal_from_scan_ * normal) : normal).cast<float>();
     return rounded.allFinite() ? rounded : Vec3f(Vec3f::Zero());

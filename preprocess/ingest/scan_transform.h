@@ -20,7 +20,7 @@ public:
 
     Vec3d position(const Vec3d& in_scan) const { return world_from_scan_ * in_scan; }
     Vec3d position(const Row& row) const { return position(Vec3d(row[kX], row[kY], row[kZ])); }
-    /// Of the transform, without its translation.
+    /// The linear part of the transform, without the translation.
     Eigen::Matrix3d linear() const { return world_from_scan_.linear(); }
     /// Whether it turns left hands into right ones.
     bool mirrors() const { return mirrors_; }

@@ -13,17 +13,17 @@
 namespace pointrt {
 namespace {
 
-/// Larger coordinates mark missing data, as 1e30 and 1.70141e38 do in files of some programs: a .pro ends at 1e30,
-/// including the cubes around its discs.
+/// Larger coordinates mark missing data, such as 1e30 and 1.70141e38 in files of some programs. A .pro allows up to
+/// 1e30, including the cubes around discs.
 constexpr double kFarthest = 1e25;
 
-/// Once for every point: three comparisons, which NaN fails.
+/// Runs for every point: three comparisons, which NaN fails.
 bool isWithinReach(const Vec3d& position) {
     return std::abs(position.x()) < kFarthest && std::abs(position.y()) < kFarthest &&
            std::abs(position.z()) < kFarthest;
 }
 
-/// Feet of the US survey are 2e-6 longer than international ones.
+/// US survey feet are longer than international feet by 2e-6.
 constexpr double kSameUnit = 1e-5;
 
 /// Grows by at least half, so that many small files do not copy the cloud over and over.
@@ -43,11 +43,11 @@ WorldFrame transformed(const WorldFrame& frame, const Eigen::Affine3d& world_fro
     const Eigen::Matrix3d linear = world_from_input.linear();
     moved.up = (linear * frame.up).stableNormalized();
     moved.metres_per_unit = frame.metres_per_unit / std::cbrt(std::abs(linear.determinant()));
-    moved.crs.clear(); // valid for the file's own coordinates only
+    moved.crs.clear(); // valid only for the file's own coordinates
     return moved;
 }
 
-/// Keeps of `world` what `other` agrees with.
+/// Keeps only the values of `world` that `other` agrees with.
 void intersect(WorldFrame& world, const WorldFrame& other) {
     if (world.crs != other.crs) world.crs.clear();
     if (!world.up.isApprox(other.up)) world.up.setZero();
@@ -89,14 +89,14 @@ void Sink::beginScan(const InputFile& input, const ScanTraits& traits) {
     grid = {};
     storage_->beginScan();
     transform.update();
-    // How many vertices pass a filter is not known beforehand.
+    // It is not known beforehand how many vertices pass a filter.
     const std::size_t length = storage_->lengthFor(filter.drops() ? 0 : traits.vertices);
     reserveArrays(length);
     beginColumns(input, length);
     scan_.colors.begin(traits, columns, cloud);
 }
 
-/// Arrays that the scan has and the cloud had not get their fill for the points before.
+/// Arrays that the scan has, but the cloud had not, are filled for the earlier points.
 void Sink::reserveArrays(std::size_t length) {
     const ScanTraits& traits = scan_.traits;
     const std::size_t count = scan_.first_position;
@@ -159,7 +159,7 @@ bool Sink::addPosition(const Vec3d& position) {
     return true;
 }
 
-/// The survey counts the points that are dropped, so that every pass finds and notes the same.
+/// The survey includes the points that are dropped, so that every pass finds and notes the same.
 bool Sink::dropsNoData(const Vec3d& in_scan, const Vec3d& position) {
     const auto marks = [&](const NoData& each) { return each.marks(in_scan); };
     if (std::none_of(dropped_.begin(), dropped_.end(), marks) || !isWithinReach(position)) return false;
@@ -323,7 +323,7 @@ void Sink::setSensor(const Vec3d& world_position) {
     const Vec3f local = (world_position - cloud.origin).cast<float>();
     if (!local.allFinite()) return;
     cloud.scans.back().sensor = world_position;
-    if (!keepsPoints()) return; // the cloud's points are gone, the scan still has its sensor
+    if (!keepsPoints()) return; // the cloud's points are gone, but the scan still has its sensor
     cloud.sensor_of_point.resize(cloud.positions.size(), kNoSensor);
     const auto first = cloud.sensor_of_point.begin() + static_cast<std::ptrdiff_t>(scan.first_position);
     std::fill_n(first, scan.position_count, static_cast<std::uint32_t>(cloud.sensors.size()));
@@ -331,7 +331,8 @@ void Sink::setSensor(const Vec3d& world_position) {
 }
 
 void Sink::setSensorAlongZ() {
-    // From this many diagonals away the directions to all points are within 3 degrees (atan(0.5 / 10)).
+    // At this many diagonals from the points or more, the directions to all points are within 3 degrees (atan(0.5 /
+    // 10)).
     constexpr double kSensorDiagonals = 10;
     const ScanRange& scan = scans.back();
     const Eigen::Affine3d scan_from_world = transform.scanFromWorld();

@@ -31,14 +31,14 @@ struct SinkOptions {
     double skim = 1;                 ///< share of each chunk of LAZ files to read, above 0: for previews
     bool scales_degrees = false;     ///< degrees will be scaled to metres if all files are in degrees
     bool gaussians_as_discs = false; ///< opaque discs in place of Gaussians
-    bool salvages = false;           ///< read the whole points of files that are cut short
+    bool salvages = false;           ///< read the complete points of truncated files
     bool drops_withheld = false;     ///< leave out points that their file flags as withheld
 };
 
 /// The attribute that flags points as withheld, in LAS files.
 inline constexpr const char* kWithheld = "withheld";
 
-/// Points without data of a finished scan. They are still in the cloud, unless known_no_data has them.
+/// Points without data of a finished scan. They are still in the cloud, unless known_no_data contains them.
 struct ScanNoData {
     std::size_t scan = 0; ///< index in Sink::scans
     NoData points;
@@ -84,14 +84,14 @@ public:
     }
 
     /// Ends a scan: scales its colours, removes faces with dropped vertices, fills arrays that only other files have.
-    /// Throws Error if no point is left and that is refused.
+    /// Throws Error if no point is left and the scan may not be empty.
     /// @param title name of the scan within the file; "" if the file is one scan
     void finishScan(const InputFile& input, const std::string& title = "", Emptiness emptiness = Emptiness::kRefused);
 
     /// Merges the frame of a file with that of the files before, as far as they agree. To be called once for each file.
     void setWorldFrame(const InputFile& input, const WorldFrame& frame);
 
-    /// Counts a file whose x and y are degrees of longitude and latitude, and notes it unless they will be scaled.
+    /// Counts a file whose x and y are degrees of longitude and latitude, and adds a note unless they will be scaled.
     void addDegrees(const InputFile& input);
 
     /// Sets the scanner position of the current scan, in its own frame; finishScan() transforms it.
@@ -102,8 +102,8 @@ public:
     /// over the object in parallel and looks along -Z of the scan's frame, as in the Stanford 3D Scanning Repository.
     void setSensorAlongZ();
 
-    /// For a file that holds fewer points than it promises: throws Error, or, if the sink salvages and there are any,
-    /// adds a note.
+    /// For a file with fewer points than its header declares: throws Error, or adds a note if the sink salvages and
+    /// there are any points.
     /// @param fault what is wrong, "truncated" or a reader's message
     void acceptShort(const InputFile& input, std::uint64_t found, std::uint64_t promised,
                      const std::string& fault = "truncated");
@@ -117,7 +117,7 @@ public:
 
     /// Whether the cloud keeps all points, rather than handing them on in batches.
     bool keepsPoints() const { return storage_->keepsPoints(); }
-    /// As PointStorage: for range grids.
+    /// As PointStorage::gatherScan: for range grids.
     bool gatherScan(std::uint64_t cells) { return storage_->gatherScan(cells); }
     bool holdsScan() const { return storage_->holdsScan(); }
     /// Points stored so far, of all scans, whether the cloud still holds them or not.
@@ -148,11 +148,11 @@ public:
     std::function<void(double)> progress; ///< receives the share of the current file that is read; may be empty
     std::size_t files_in_degrees = 0;     ///< files whose x and y are degrees
     std::size_t files_with_crs = 0;       ///< files that name their coordinate system
-    std::uint64_t points_promised = 0;    ///< by the current file, if it holds fewer; the reader of files resets it
-    std::vector<ScanNoData> no_data;      ///< customary values of all finished scans
+    std::uint64_t points_promised = 0; ///< number declared by the current file, if it holds fewer; reset for each file
+    std::vector<ScanNoData> no_data;   ///< customary values of all finished scans
     /// The customary values that an earlier pass over the same files found: their points are left out.
     std::vector<ScanNoData> known_no_data;
-    bool finds_no_data = true; ///< whether points without data may be among those to come
+    bool finds_no_data = true; ///< whether upcoming points may include points without data
 
 private:
     void beginColumns(const InputFile& input, std::size_t length);

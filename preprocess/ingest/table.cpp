@@ -9,7 +9,7 @@
 namespace pointrt {
 namespace {
 
-/// Length of the text between the quote at the start of text and the one that closes it; npos if none does.
+/// Length of the text from the quote at the start of text to the closing quote; npos if there is none.
 std::size_t quotedLength(std::string_view text) {
     for (std::size_t at = text.find('"', 1); at != std::string_view::npos; at = text.find('"', at + 2))
         if (at + 1 == text.size() || text[at + 1] != '"') return at - 1;
@@ -25,7 +25,7 @@ bool leavesQuoteOpen(std::string_view record, char delimiter) {
     return false;
 }
 
-/// Whether words between blanks are three numbers or more, commas within them.
+/// Whether the words between blanks are three or more numbers, which may contain commas.
 bool hasCommasInNumbers(std::string_view line) {
     std::size_t numbers = 0, commas = 0;
     Fields words{line, ' '};
@@ -36,8 +36,8 @@ bool hasCommasInNumbers(std::string_view line) {
     return numbers >= 3 && commas > 0;
 }
 
-/// Whether tabs delimit the fields of a line, each with one word at least, or are all numbers, perhaps with blanks
-/// between thousands.
+/// Whether tabs delimit the fields of a line: each field is one word, or all are numbers, perhaps with blanks between
+/// thousands.
 bool hasTabFields(std::string_view line) {
     std::size_t count = 0, fewest = 2;
     Fields fields{line, '\t'};
@@ -47,7 +47,7 @@ bool hasTabFields(std::string_view line) {
         if (field.empty()) return false;
         if (blank == std::string_view::npos || !wholeNumber(field.substr(0, blank), value)) continue;
         if (!isAnyNumber(field)) return false; // "1 2<tab>3": blanks delimit numbers
-        fewest = 3;                            // "1 200<tab>3" are three, "1 200<tab>3<tab>4" as well
+        fewest = 3;                            // "1 200<tab>3" has three numbers, but so does "1 200<tab>3<tab>4"
     }
     return count >= fewest;
 }
@@ -80,7 +80,7 @@ bool Fields::nextDelimited(std::string_view& field) {
 }
 
 bool nextRecord(std::string_view& rest, std::string_view& record, char delimiter) {
-    constexpr int kMostLines = 16; // of an address or a remark; a stray quote must not swallow the file
+    constexpr int kMostLines = 16; // of an address or a remark; a stray quote must not swallow the whole file
     const char* const start = rest.data();
     if (!nextLine(rest, record)) return false;
     if (delimiter == ' ' || !leavesQuoteOpen(record, delimiter)) return true;
@@ -106,7 +106,7 @@ char delimiterOf(std::string_view line) {
         has_comma = has_comma || letter == ',';
         has_tab = has_tab || letter == '\t';
     }
-    if (bars >= 2) return '|'; // one may be a mark before a remark
+    if (bars >= 2) return '|'; // a single bar may mark a remark
     if (has_comma && !hasCommasInNumbers(line)) return ',';
     return has_tab && hasTabFields(line) ? '\t' : ' ';
 }

@@ -15,12 +15,12 @@ namespace pointrt {
 struct Fields {
     std::string_view rest;
     char delimiter;
-    bool more = true; ///< a delimiter was last: a field follows, if only an empty one
+    bool more = true; ///< the last character was a delimiter, so another field follows, perhaps an empty one
 
     bool next(std::string_view& field) { return delimiter == ' ' ? nextWordOrQuote(field) : nextDelimited(field); }
 
-    /// Takes the next field if it is a number with a decimal point and nothing around it, as most are. Otherwise
-    /// returns false, for next() to take it.
+    /// Takes the next field if it is a number with a decimal point and nothing around it, which is the usual case.
+    /// Otherwise returns false, and next() must be used.
     bool nextNumber(double& value) {
         if (delimiter == ' ') skipSpace(rest);
         const char* const end = rest.data() + rest.size();
@@ -52,7 +52,7 @@ private:
     bool nextDelimited(std::string_view& field);
 };
 
-/// Takes the next line from rest; a quoted field that its end leaves open continues on the next lines, at most 16.
+/// Takes the next line from rest; if it ends within a quoted field, continues with the next lines, at most 16.
 bool nextRecord(std::string_view& rest, std::string_view& record, char delimiter);
 
 /// Semicolons outside quotes delimit fields, else two bars or more, else commas, else tabs, else blanks. Commas between
@@ -69,7 +69,7 @@ inline std::string_view withoutBlanks(std::string_view line) {
     return line;
 }
 
-/// A record without blanks around it, except for tabs that delimit empty fields.
+/// The record without surrounding blanks; keeps tabs that delimit empty fields.
 inline std::string_view trimmedRecord(std::string_view record, char delimiter) {
     if (delimiter != '\t') return withoutBlanks(record);
     return withoutBlanks(record).empty() ? std::string_view() : record;

@@ -11,7 +11,7 @@
 namespace pointrt {
 
 enum class Stored {
-    kExactly, ///< or rounded to the precision of a real
+    kExactly, ///< stored exactly, or rounded to the precision of a real
     kNearest, ///< the number is out of range or, for an integer type, not an integer
     kNothing  ///< the word is not a number
 };

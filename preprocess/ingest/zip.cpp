@@ -14,7 +14,7 @@ constexpr std::size_t kLocalSize = 30, kDirectorySize = 46, kEndSize = 22; ///< 
 constexpr std::uint32_t kStored = 0, kDeflated = 8;
 constexpr std::uint32_t kZip64 = 0xffffffff; ///< in place of sizes and offsets that need 64 bits
 
-/// The limits of unpackGzip.
+/// The same limits as in unpackGzip.
 
 /// A little-endian number of this many bytes.
 std::uint32_t loadNumber(std::string_view bytes, std::size_t at, std::size_t size) {
@@ -75,7 +75,7 @@ bool inflateInto(std::string_view packed, std::string& unpacked) {
     return inflate(&stream, Z_FINISH) == Z_STREAM_END && stream.avail_out == 0;
 }
 
-/// The packed bytes behind the local header.
+/// The packed bytes, which follow the local header.
 std::string_view packedBytes(const InputFile& input, const ZipMember& member) {
     const std::string_view local = member.header;
     if (!local.starts_with(kLocalMark) || local.size() < kLocalSize)

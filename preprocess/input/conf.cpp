@@ -60,8 +60,8 @@ fs::path pathOf(const Placement& placement, const fs::path& folder) {
     return *path;
 }
 
-/// Counts how often each file is named, under any path. A scan has one place in a set; the limit leaves room for
-/// patterns and rotated copies. Without it, a few lines could request any amount of memory.
+/// Counts how often each file is named, under any path, and limits that: otherwise a few lines could request any amount
+/// of memory. A scan usually has one place in a set; the limit leaves room for patterns and rotated copies.
 struct NamedFiles {
     static constexpr int kMostTimes = 8;
     std::map<std::pair<std::uint64_t, std::uint64_t>, int> times;

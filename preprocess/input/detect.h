@@ -10,8 +10,8 @@ namespace pointrt {
 /// Throws Error if the name is unknown (kBadUsage), or the format is unknown or not supported by this build.
 const InputFormat& formatOf(const InputFile& input, std::string_view name);
 
-/// What the suffix of a name says, without ".gz". .txt, .csv, .bin and .tif, which other formats use for
-/// parts and pictures of theirs, may be anything and are a class of their own.
+/// Whether the suffix of a name, without ".gz", is that of a scan. .txt, .csv, .bin and .tif form their own class,
+/// since other formats use them for their parts and pictures.
 enum class SuffixOf { kScan, kText, kOther };
 SuffixOf suffixKind(const std::string& name);
 

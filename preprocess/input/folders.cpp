@@ -18,7 +18,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Folders within folders, at most.
+/// Limit of nested folders.
 constexpr int kDeepest = 16;
 
 std::vector<std::string> filesIn(const std::string& folder, int depth);
@@ -32,7 +32,7 @@ std::vector<std::string> listed(const std::string& folder) {
     return paths;
 }
 
-/// The files of the subfolders, where links are not followed.
+/// The files of the subfolders; does not follow links.
 std::vector<std::string> filesBelow(const std::string& folder, int depth) {
     std::vector<std::string> files;
     std::error_code unreadable;
@@ -44,7 +44,7 @@ std::vector<std::string> filesBelow(const std::string& folder, int depth) {
     return files;
 }
 
-/// Whether a file may be a scan. A text must have points: many folders of scans have one about them.
+/// Whether a file may be a scan. Text must contain points: many folders of scans have a text about them.
 bool mayBeScan(const std::string& path) {
     if (suffixKind(path) == SuffixOf::kScan) return true;
     try {
@@ -55,14 +55,14 @@ bool mayBeScan(const std::string& path) {
     }
 }
 
-/// A link whose target is gone counts as a file: opening it then reports its name.
+/// A broken link counts as a file, so that opening it reports its name.
 bool isFileOrGone(const std::string& path) {
     std::error_code failure;
     const fs::file_type type = fs::status(path, failure).type();
     return type == fs::file_type::regular || type == fs::file_type::not_found;
 }
 
-/// The scans of a folder, or else its texts.
+/// The scans of a folder, else its text files.
 std::vector<std::string> scansOrTextsIn(const std::string& folder) {
     std::vector<std::string> scans, texts;
     for (const std::string& path : listed(folder)) {
@@ -91,14 +91,15 @@ void keepPosed(std::vector<std::string>& scans) {
     if (std::any_of(scans.begin(), scans.end(), is_conf)) std::erase_if(scans, std::not_fn(is_conf));
 }
 
-/// Texts are passed over if none has points and depth is above 0 or there are scans below: they are about those.
+/// Text files are ignored if none has points and either depth is above 0 or there are scans in subfolders: they are
+/// about those scans.
 std::vector<std::string> filesIn(const std::string& folder, int depth) {
     if (const std::string description = descriptionIn(folder); !description.empty()) return {description};
     std::vector<std::string> scans = scansOrTextsIn(folder);
     keepPosed(scans);
     if (std::any_of(scans.begin(), scans.end(), mayBeScan)) return scans;
     const std::vector<std::string> below = filesBelow(folder, depth);
-    return below.empty() && depth == 0 ? scans : below; // whose errors name file and line
+    return below.empty() && depth == 0 ? scans : below; // their errors will name file and line
 }
 
 } // namespace

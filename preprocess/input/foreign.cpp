@@ -30,7 +30,7 @@ struct Foreign {
 constexpr Foreign kUnreadStarts[] = {
     {"[Expe/PointSet", "is an Expe point set", kConvertScan},
     {"\x89HDF", "is an HDF5 file", kConvertScan},
-    {"CCB0", "is a CloudCompare project", kExportClouds}, // the digit: whether numbers are floats or doubles
+    {"CCB0", "is a CloudCompare project", kExportClouds}, // the digit says whether numbers are floats or doubles
     {"CCB1", "is a CloudCompare project", kExportClouds},
     {"CCB2", "is a CloudCompare project", kExportClouds},
     {"CCB3", "is a CloudCompare project", kExportClouds},

@@ -97,7 +97,7 @@ void numberScans(Cloud& cloud, Columns& columns, const std::vector<ScanRange>& s
     numberScansAs<std::uint32_t>(Scalar::kU32, cloud, scans);
 }
 
-/// Scales degrees, whose unit differs from that of heights, if all files are in degrees.
+/// If all files are in degrees, scales these, whose unit differs from that of heights.
 void scaleDegreesOfFiles(std::size_t file_count, Sink& sink) {
     if (!sink.scales_degrees || sink.files_in_degrees == 0) return;
     const std::string& file = sink.scans.front().name;

@@ -19,7 +19,7 @@ struct SinkOptions;
 struct ReadOptions {
     /// Name of an InputFormat, which overrides detection; "" detects.
     std::string format;
-    /// Above 0: number of points sampled over the area of meshes. 0: use their vertices. No value: sample the meshes
+    /// Above 0: number of points sampled over the area of meshes. 0: use their vertices. No value: samples the meshes
     /// whose vertices are too few for their faces, with as many points as they need.
     std::optional<std::uint64_t> sample_count = 0;
     std::uint64_t seed = 0; ///< of the sampling
@@ -28,9 +28,9 @@ struct ReadOptions {
     std::optional<Eigen::Affine3d> transform = {}; ///< of all files; applied after their poses
     /// Convert degrees of longitude and latitude to metres (scaleDegrees), unless there is a transform.
     bool scales_degrees = false;
-    /// Make opaque discs of the Gaussians of a radiance field, which are kept as they are otherwise.
+    /// Convert the Gaussians of a radiance field to opaque discs; otherwise they are kept as they are.
     bool gaussians_as_discs = false;
-    bool salvages = false;         ///< read the whole points of files that are cut short
+    bool salvages = false;         ///< read the complete points of truncated files
     bool drops_withheld = false;   ///< leave out points that their file flags as withheld
     std::optional<int> level = {}; ///< finest level to read of files with levels of detail
     double skim = 1;               ///< share of each chunk of LAZ files to read, above 0: for previews
@@ -48,11 +48,13 @@ using ReadProgress = std::function<void(const ReadStatus&)>;
 struct FileReport {
     std::string name, format;
     std::uint64_t points = 0, kept = 0, scans = 0;
-    std::uint64_t meshes = 0;   ///< scans with faces
-    std::uint64_t sampled = 0;  ///< points sampled over its faces, replacing its vertices
-    std::uint64_t promised = 0; ///< points, if the file is cut short and was salvaged; otherwise 0
+    std::uint64_t meshes = 0;  ///< scans with faces
+    std::uint64_t sampled = 0; ///< points sampled over its faces, replacing its vertices
+    /// Number of points that the header declares, if the file is truncated and was salvaged; otherwise 0.
+    std::uint64_t promised = 0;
     double seconds = 0;
-    bool hides_frame = false; ///< names neither a coordinate system nor degrees, as its format may
+    /// Names neither a coordinate system nor degrees, although it may be in degrees, as in its format.
+    bool hides_frame = false;
 };
 
 /// Whether files of a format may have degrees for x and y without saying so.

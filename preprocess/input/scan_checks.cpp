@@ -37,7 +37,7 @@ bool isLongitudeLatitude(const Vec3d& position) {
 
 double widthOf(const Eigen::AlignedBox3d& box) { return std::max(box.sizes().x(), box.sizes().y()); }
 
-/// Whether a box is too wide for its distance from the meridian and the equator, as are all boxes around it.
+/// Whether a box is too wide for its distance from the meridian and the equator; all larger boxes around it are so too.
 bool isTooWide(const Eigen::AlignedBox3d& box) {
     const double reach = std::max(box.min().head<2>().cwiseAbs().maxCoeff(), box.max().head<2>().cwiseAbs().maxCoeff());
     return kSlender * widthOf(box) > reach;
@@ -46,7 +46,7 @@ bool isTooWide(const Eigen::AlignedBox3d& box) {
 } // namespace
 
 void dropNoData(Sink& sink) {
-    // faces that lost corners are known by the numbers of their points
+    // the lost corners of faces are known by the numbers of their points
     if (sink.no_data.empty() || !sink.cornersOfRemovedFaces().empty()) return;
     Cloud& cloud = sink.cloud;
     std::vector<bool> keep(cloud.positions.size(), true);
@@ -71,7 +71,7 @@ void dropNoData(Sink& sink) {
 bool looksLikeDegrees(const Eigen::AlignedBox3d& box) {
     if (box.isEmpty() || !isLongitudeLatitude(box.min()) || !isLongitudeLatitude(box.max())) return false;
     const double width = widthOf(box);
-    // the corner of a small scan in metres is at its origin, places on Earth are seldom on the equator
+    // the corner of a small scan in metres is at its origin, whereas places on the Earth are seldom on the equator
     const double away = box.center().head<2>().cwiseAbs().maxCoeff();
     return width > 0 && box.sizes().z() > kSlender * width && away > kSlender * width;
 }
@@ -82,14 +82,14 @@ bool looksLikeDegrees(const Cloud& cloud, std::span<const ScanRange> scans) {
         for (std::size_t i = 0; i < scan.position_count; ++i) {
             const Vec3d position = cloud.origin + cloud.positions[scan.first_position + i].cast<double>();
             box.extend(position);
-            // of scans in metres, the first few points tell
+            // for scans in metres, the first few points show that
             if (!isLongitudeLatitude(position) || isTooWide(box)) return false;
         }
     return looksLikeDegrees(box);
 }
 
 void noteUnits(Sink& sink) {
-    constexpr double kLeast = 500, kMost = 2000; // around a thousand
+    constexpr double kLeast = 500, kMost = 2000; // limits of a factor of about a thousand
     const ScanRange *smallest = nullptr, *largest = nullptr;
     double small = 0, large = 0;
     for (const ScanRange& scan : sink.scans) {

@@ -15,10 +15,11 @@ void dropNoData(Sink& sink);
 /// is a hundred times higher than wide.
 bool looksLikeDegrees(const Eigen::AlignedBox3d& box);
 
-/// The same of a file's scans in the cloud, taken together.
+/// The same for a file's scans in the cloud, taken together.
 bool looksLikeDegrees(const Cloud& cloud, std::span<const ScanRange> scans);
 
-/// Adds a note if a scan is about a thousand times the size of another, as one in millimetres beside one in metres.
+/// Adds a note if a scan is about a thousand times the size of another, as if one were in millimetres and the other in
+/// metres.
 void noteUnits(Sink& sink);
 
 } // namespace pointrt

@@ -45,7 +45,7 @@ struct Stream {
     }
 };
 
-/// Sends the points of a cloud, which are filtered and transformed already and all have data, through the sink.
+/// Sends the points of a cloud, which are already filtered and transformed and have no missing data, through the sink.
 class Replay {
 public:
     Replay(const Cloud& points, const std::string& name, Sink& sink) : points_(points), sink_(sink) {
@@ -62,7 +62,7 @@ public:
         sink_.setWorldFrame(input_, points_.world);
         Cloud& cloud = sink_.cloud;
         cloud.points_read += points_.points_read;
-        cloud.points_read -= std::min(cloud.points_read, points_.positions.size()); // counted by the sink
+        cloud.points_read -= std::min(cloud.points_read, points_.positions.size()); // the sink counts these
         cloud.points_non_finite += points_.points_non_finite;
         cloud.points_unused += points_.points_unused;
         cloud.points_filtered += points_.points_filtered;
@@ -153,7 +153,7 @@ FileReport readWhole(const InputFile& input, const std::string& path, Stream& st
     Cloud points = readInputs({path}, stream.options.read, {}, &reports);
     points.attributes.erase(std::remove_if(points.attributes.begin(), points.attributes.end(),
                                            [](const Attribute& each) { return each.name == kScanNumber; }),
-                            points.attributes.end()); // all files are numbered together
+                            points.attributes.end()); // attributes are numbered over all files
     Replay(points, input.name, stream.sink).run();
     return reports.front();
 }

@@ -14,7 +14,7 @@ namespace pointrt {
 
 /// A place between two files, where a reading may resume.
 struct StreamPlace {
-    std::size_t file = 0, scan = 0; ///< the next ones
+    std::size_t file = 0, scan = 0; ///< indices of the next ones
     std::uint64_t kept = 0;         ///< points kept before
     std::uint64_t seen = 0;         ///< points that the filter has seen before
 };
@@ -25,9 +25,10 @@ struct StreamNoData {
     NoData points;
 };
 
-/// What the first pass finds in all files.
+/// Findings of the first pass over all files.
 struct StreamFindings {
-    /// The cloud without its points: scans, frame, notes, counts, attributes by name and the type that readers need.
+    /// The cloud without its points: scans, frame, notes, counts, and attributes with their names and the types that
+    /// readers need.
     Cloud cloud;
     std::vector<std::string> untyped, minor; ///< names of attributes, as in Columns
     std::vector<std::uint64_t> scan_points;
@@ -49,10 +50,10 @@ struct StreamOptions {
     std::function<void(const StreamPlace&)> file_done = {};
 };
 
-/// Reads the files and hands on their points in batches, those of a scan in the order of the file. In the first pass
-/// batches lack colours that are not bytes, and attribute types may change from file to file. Given the findings of
-/// the first pass, each batch has attributes of the types found, in their order, and no others.
-/// Throws Error as readInputs does, and if a file is in degrees or too large to be read at once.
+/// Reads the files and hands on their points in batches, those of a scan in the order of the file. In the first pass,
+/// batches have no colours except bytes, and attribute types may change from file to file. Given the findings of the
+/// first pass, each batch has attributes of the types found, in their order, and no others. Throws Error as readInputs
+/// does, and if a file is in degrees or too large to be read at once.
 StreamFindings readInBatches(const std::vector<std::string>& paths, const StreamOptions& options,
                              const std::function<void(const PointBatch&)>& take, const ReadProgress& progress = {});
 

@@ -6,9 +6,9 @@
 
 #include "format/base/blend_weight.h"
 
-// One binary for all processors, twice as fast with AVX2. Both versions add in the same order and round the same way
-// (no fused operations), so results are equal. Not with sanitizers: their runtime is not ready when the loader selects
-// the version.
+// Compiles two versions, so that one binary runs on all processors and is twice as fast with AVX2. Both add in the same
+// order and round in the same way (no fused operations), so results are equal. Not with sanitizers, whose runtime is
+// not ready when the loader selects the version.
 #if defined(__x86_64__) && defined(__ELF__) && !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
 #define POINTRT_WIDE __attribute__((target_clones("avx2", "default")))
 #else
@@ -22,7 +22,7 @@ namespace {
 constexpr std::size_t kLanes = 8;
 using Lanes = float __attribute__((vector_size(kLanes * sizeof(float))));
 
-/// The same, at any element of an array of floats.
+/// The same type for any element of an array of floats, which may be unaligned.
 using LanesInArray = float __attribute__((vector_size(kLanes * sizeof(float)), aligned(sizeof(float)), may_alias));
 // Macros, because the calling convention of functions that return wide vectors depends on the processor.
 #define LOAD(array, i) (*reinterpret_cast<const LanesInArray*>(&(array)[i]))
@@ -58,7 +58,7 @@ float ballDistance(const DiscList& list, std::size_t i, const Vec3f& origin, con
     return t >= 0.0f && t <= t_max ? t : std::numeric_limits<float>::infinity();
 }
 
-/// Sets the distances of balls, which castRay misses as discs: the planes of normal 0 have no distance.
+/// Sets the distances of balls: as discs, castRay misses them, since planes of normal 0 have no distance.
 void addBallHits(DiscList& list, const Vec3f& origin, const Vec3f& direction, float t_max, FirstHits& hits) {
     for (std::size_t i = 0; i < list.size(); ++i) {
         if (!list.normalOf(i).isZero(0)) continue;

@@ -18,7 +18,7 @@ struct DiscList {
     std::vector<float> kept;                 ///< 1 or 0
     bool oriented = true;
     bool colored = false;   ///< colours are set and compared
-    bool has_balls = false; ///< some have the normal 0; they never blend
+    bool has_balls = false; ///< some have the normal 0; these never blend
 
     std::vector<float> distance; ///< by the last castRay: along the ray, +infinity for a miss
     std::vector<float> weight;   ///< by the last weighAt: 0 for discs that do not blend
@@ -39,7 +39,7 @@ private:
     std::size_t count_ = 0;
 };
 
-/// Distances along a ray, +infinity without a hit.
+/// Distances along a ray; +infinity if there is no hit.
 struct FirstHits {
     float any;  ///< among all discs
     float kept; ///< among the kept discs

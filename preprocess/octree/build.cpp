@@ -21,14 +21,14 @@ namespace {
 /// Members per task: large enough that few discs cross its border, small enough to balance the load.
 constexpr std::uint32_t kTaskMembers = 2048;
 
-/// Splats that a leaf may list per allowed member before it splits; an evenly sampled surface needs about 4.
+/// A leaf splits if it lists more than this many splats per allowed member; an evenly sampled surface needs about 4.
 constexpr std::uint32_t kListPerMember = 8;
 
-/// Cells with an edge below this many mean radii of their splats do not split. Halving a cell with an edge of sqrt(2)
-/// kLeafEdgeRadii gives cells as far below kLeafEdgeRadii as the cell is above it.
+/// Cells with an edge below this many mean radii of their splats do not split. The factor sqrt(2) makes the halves of
+/// such a cell as far below kLeafEdgeRadii as the cell is above it.
 constexpr float kMinEdgeRadii = 1.41421356f * static_cast<float>(kLeafEdgeRadii);
 
-/// Boxes are enlarged by this for tests: half a step for rounding, one because a viewer may look one step ahead.
+/// Tests enlarge boxes by this: half a step for rounding, and one because a viewer may look one step ahead.
 constexpr float kTouchSlack = 1.5f * PRO_POSITION_STEP;
 
 struct Range {
@@ -154,7 +154,7 @@ public:
     }
 
 private:
-    /// Whether a disc crosses the cell: rays cannot hit slabs alone.
+    /// Whether a disc crosses the cell: rays cannot hit slabs without discs.
     bool crossedByDisc(const Work& work) const {
         const Box box = slackBox(work.cell);
         return std::any_of(work.touching.begin(), work.touching.end(),
@@ -164,7 +164,7 @@ private:
     bool mustSplit(const Work& work) const {
         if (work.cell.depth >= options_.max_depth) return false;
         const std::size_t listed = work.members.size() + work.touching.size();
-        if (listed > PRO_LEAF_LIST_MAX) return true; // no leaf can hold them
+        if (listed > PRO_LEAF_LIST_MAX) return true; // no leaf can hold them all
         const bool crowded = work.members.size() > options_.max_leaf_splats ||
                              listed > std::size_t{kListPerMember} * options_.max_leaf_splats;
         return crowded && cellEdge(work.cell.depth) > kMinEdgeRadii * meanRadius(work);

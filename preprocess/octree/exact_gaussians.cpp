@@ -11,8 +11,12 @@ namespace pointrt {
 
 namespace {
 
-/// 3,000 layers of opacity 1/255: 37 dB against their input by codes alone, 45 with these limits; 12,000 Gaussians of
-/// all sizes from among them: 40 and 53 dB. 2.5 to 5% of captures' Gaussians are beyond them (tests/bench/NOTES.md).
+/// 255: 37 dB against their input by codes alone, 45 with these limits; 12,000 Gaussians of all sizes from among them:
+/// 40 and 53 dB. 2.5 to 5% of captures' Gaussians are beyond them (tests/bench/NOTES.md)./Of 3,000 layers of opacity
+/// 1/255, codes alone give 37 dB against the input, and exact parameters beyond these limits 45 dB; of 12,000 Gaussians
+/// of all sizes, seen from among them, 40 and 53 dB. 2.5 to 5% of the Gaussians of captures are beyond the limits
+/// (tests/bench/NOTES.md)./255: 37 dB against their input by codes alone, 45 with these limits; 12,000 Gaussians of all
+/// sizes from among them: 40 and 53 dB. 2.5 to 5% of captures' Gaussians are beyond them (tests/bench/NOTES.md).
 constexpr double kMostOpacityError = 0.05, kMostAxisError = 0.003;
 
 /// The columns are the axes as long as their deviations.
@@ -46,7 +50,7 @@ pro_exact_gaussian exactOf(const pro_gaussian& gaussian, std::uint32_t index) {
     for (int i = 0; i < 4; ++i)
         exact.rotation[i] = static_cast<float>(is_rotation ? rotation[i] / length : Eigen::Vector4d::UnitX()[i]);
     const float least = std::exp2(PRO_DEVIATION_LOG2_MIN), most = std::exp2(PRO_DEVIATION_LOG2_MAX);
-    for (int axis = 0; axis < 3; ++axis) // in this order, so that NaN becomes the least
+    for (int axis = 0; axis < 3; ++axis) // in this order, so that NaN becomes the smallest
         exact.deviation[axis] = std::min(std::max(least, gaussian.deviation[axis]), most);
     exact.opacity = std::min(std::max(0.0f, gaussian.opacity), 1.0f);
     return exact;

@@ -13,8 +13,8 @@ namespace pointrt {
 /// @param usual_deviation the median of the longest deviations of the file's Gaussians, cube units
 bool codesShow(const pro_exact_gaussian& exact, const pro_gaussian& decoded, double usual_deviation);
 
-/// The parameters within the range that a file may hold: a rotation of unit length (none if it is not finite),
-/// deviations that can be squared, an opacity of 0 to 1.
+/// The parameters clamped to the range of the format: a rotation of unit length (the identity if it is not finite),
+/// deviations whose squares are representable, an opacity of 0 to 1.
 pro_exact_gaussian exactOf(const pro_gaussian& gaussian, std::uint32_t index);
 
 } // namespace pointrt

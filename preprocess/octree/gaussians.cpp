@@ -21,20 +21,20 @@ namespace pointrt {
 
 namespace {
 
-/// Gaussians whose ellipsoids are longer than this share of the box of all centres may reach out of the cube: a sky of
-/// a few giants would leave little of it to the scene.
+/// Gaussians whose ellipsoids are longer than this share of the box of all centres may extend out of the cube:
+/// otherwise a sky of a few giants would leave little of it to the scene.
 constexpr double kLargestShare = 0.25;
 
-/// Margin of the cube relative to its edge: no rounding puts an ellipsoid out of it.
+/// Margin of the cube relative to its edge, so that rounding cannot put an ellipsoid outside.
 constexpr double kGaussianCubeMargin = 1.0 / 1024;
 
-/// Members of a leaf of the octree of centres: nothing walks it, so its lists may be long.
+/// Members of a leaf of the octree of centres. Nothing traverses it, so its lists may be long.
 constexpr std::uint32_t kCentersPerLeaf = 64;
 
 /// Codes of a deviation, and of red and green; blue has half as many.
 constexpr double kDeviationCodes = 4095, kColorCodes = 510, kHarmonicCodes = 127;
 
-/// The largest disc, in cube units: readers without Gaussians show the rest of a sky smaller than it is.
+/// The largest disc, in cube units: readers without support for Gaussians show larger ones of a sky at this size.
 constexpr float kLargestDisc = 0.25f;
 
 /// A Gaussian in the frame of the cloud, input units.
@@ -97,7 +97,7 @@ void codeRadii(const GaussianCloud& cloud, pro_info& frame) {
     frame.flags = PRO_FLAG_COLOR;
 }
 
-/// In cube units.
+/// The centre in cube units.
 Vec3d cubeCenter(const GaussianCloud& cloud, std::size_t i, const pro_info& frame) {
     const Vec3d corner(frame.origin[0], frame.origin[1], frame.origin[2]);
     return (cloud.points.positions[i].cast<double>() + (cloud.points.origin - corner)) / frame.scale;
@@ -136,8 +136,8 @@ struct NumberRange {
     }
 };
 
-/// Log2 of deviations that the file can hold. What is beyond looks the same: as wide as a billion scenes, or a
-/// billionth of a step of positions.
+/// Log2 of deviations, limited to those that the file can hold. Beyond the limits they look the same: as wide as a
+/// billion scenes, or a billionth of a position step.
 /// @param range log2 of deviations in cube units
 NumberRange codedDeviations(const NumberRange& range) {
     constexpr double kWidest = PRO_DEVIATION_LOG2_MAX - 1; // the largest code's deviation is rounded
@@ -174,7 +174,7 @@ void packHarmonics(const GaussianCloud& cloud, std::size_t i, const pro_gaussian
     }
 }
 
-/// In cube units, as pro_gaussian_encode takes it.
+/// In cube units, as pro_gaussian_encode requires.
 pro_gaussian inCube(const GaussianCloud& cloud, std::size_t i, const pro_info& frame) {
     pro_gaussian gaussian = gaussianAt(cloud, i);
     const Vec3d center = cubeCenter(cloud, i, frame);
@@ -195,8 +195,8 @@ double usualDeviation(const GaussianCloud& gaussians) {
     return double{medianInPlace(longest)};
 }
 
-/// The parameters of the Gaussians whose codes show, in the order of the splats.
-/// @param coding with the words of GAUS
+/// The exact parameters of the Gaussians whose codes would change the picture visibly, in the order of the splats.
+/// @param coding includes the words of GAUS
 std::vector<pro_exact_gaussian> exactWhereCodesShow(const GaussianCloud& gaussians, const PackedSplats& splats,
                                                     const pro_gaussians& coding) {
     const std::size_t count = splats.words.size();

@@ -11,7 +11,7 @@
 
 namespace pointrt {
 
-/// The columns of a cloud of Gaussians, moved out of it.
+/// The points and attributes moved out of a cloud of Gaussians.
 struct GaussianCloud {
     Cloud points; ///< positions, normals, radii, colours, and the attributes of Gaussians
     GaussianColumns columns;
@@ -21,8 +21,8 @@ struct GaussianCloud {
 /// and points.
 GaussianCloud takeGaussians(Cloud& cloud);
 
-/// The Gaussians as splats in Morton order: discs across their flattest axes for readers that know no Gaussians. None
-/// is merged. The cube holds all centres, and the ellipsoids of all but the largest Gaussians.
+/// The Gaussians as splats in Morton order: discs across their shortest axes for readers without support for Gaussians.
+/// Merges none. The cube holds all centres, and the ellipsoids of all but the largest Gaussians.
 PackedSplats packGaussianSplats(const GaussianCloud& gaussians);
 
 /// The leaves of the octree of centres, without references.

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Based on Kashyap et al. (I3D 2010), who keep what probe rays hit first, at the cost of blending errors. Here a
-// geometric test keeps what a leaf certainly needs, and probes compare the first hit and the blended surface with and
-// without the rest.
+// Based on Kashyap et al. (I3D 2010), who keep the splats that probe rays hit first, at the cost of blending errors.
+// Here, a geometric test keeps the splats that a leaf certainly needs, and probes compare the first hit and the blended
+// surface with and without the others.
 #include "preprocess/octree/leaf_pruner.h"
 
 #include <algorithm>
@@ -169,7 +169,8 @@ LeafPruner::Blended LeafPruner::blend(const FirstHit& hit, bool only_kept) {
     weighDropped(hit, hit.t);
     FieldSums field = fieldAround(hit, only_kept);
     const float step = newtonStep(field, direction, hit.radius);
-    if (!contains(box_, hit.chord.at(hit.t + step))) return {hit.t + step, field}; // decided in the next leaf
+    // a hit outside is decided in the next leaf
+    if (!contains(box_, hit.chord.at(hit.t + step))) return {hit.t + step, field};
     weighDropped(hit, hit.t + step);
     field = fieldAround(hit, only_kept);
     const float last = step + newtonStep(field, direction, hit.radius);

@@ -54,9 +54,9 @@ struct PruneOptions {
 /// more than 1 % of the disc's radius, or a visibly different normal or colour.
 struct PruneReport {
     std::uint32_t rounds = 0;
-    double cutoff = 0;        ///< a leaf dropped splats with a smaller weight everywhere in it
+    double cutoff = 0;        ///< splats are dropped from a leaf if their weight is smaller than this everywhere in it
     std::uint64_t probes = 0; ///< in the last round
-    double harm = 0;          ///< fraction of probes with a change (the missing splats were restored)
+    double harm = 0;          ///< fraction of probes that saw a change (the missing splats were restored)
     double harm_bound = 0;    ///< upper end of the 95 % confidence interval of harm
 };
 

@@ -28,7 +28,7 @@ Vec3d discExtent(const Vec3f& normal, float radius) {
 }
 
 /// The smallest cube edge of at least extent that is kLeafEdgeRadii median radii times a power of two, so that the same
-/// fraction of discs crosses leaf borders for any size of scan. Costs positions at most one bit.
+/// fraction of discs crosses leaf borders for any size of scan. Positions lose at most one bit by this.
 double cubeEdge(double extent, const std::vector<float>& radii) {
     std::vector<float> sorted = radii;
     const auto middle = sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() / 2);
@@ -65,8 +65,8 @@ void fillFrame(const Splats& splats, pro_info& frame) {
                   (balls ? PRO_FLAG_BALLS : 0u);
 }
 
-/// The position as its code gives it back: the middle of a step, in the unit cube. Computed in double, since a float
-/// holds that middle exactly, but not what leads to it.
+/// The decoded position: the middle of a step, in the unit cube. Computed in double, since a float can hold that
+/// middle, but not the intermediate results.
 Vec3f cubePosition(const Vec3f& position, const Vec3d& shift, double scale) {
     const Vec3d steps = ((position.cast<double>() + shift) * (PRO_POSITION_STEPS / scale)).array().floor();
     const Vec3d code = steps.cwiseMax(0.0).cwiseMin(static_cast<double>(PRO_POSITION_MASK));

@@ -50,9 +50,10 @@ struct RadiusCoding {
     float step = 0; ///< octaves
 };
 
-/// Codes from the largest radius to the smallest one, at most 15.9 octaves. Coded radii belong to the series 2^(k /
-/// 2^n): equal radii in two files or tiles stay equal if these have the same n. The series of a larger n includes that
-/// of a smaller one.
+/// Codes from the largest radius to the smallest one, at most 15.9 octaves.  2^n): equal radii in two files or tiles
+/// stay equal if these have the same n./Coded radii are from the series 2^(k / 2^n), so equal radii in two files or
+/// tiles stay equal if these have the same n./ 2^n): equal radii in two files or tiles stay equal if these have the
+/// same n. The series of a larger n includes that of a smaller one.
 RadiusCoding radiusCoding(float radius_min, float radius_max);
 
 /// Sets element k of packed: the words of the splat, and its disc as readers decode it. A normal of 0 makes it a ball.
@@ -65,8 +66,8 @@ std::uint8_t noiseCode(float sigma, float radius, double scale);
 /// Empties packed.noise if all of it is 0.
 void dropCleanNoise(PackedSplats& packed);
 
-/// Quantises and frees splats. The cube is centred on the discs and contains all of them. Of splats with equal
-/// quantised positions it keeps the first that does not fill a gap, else the first.
+/// Quantises and frees splats. The cube is centred on the discs and contains all of them. Among splats with equal
+/// quantised positions, keeps the first that does not fill a gap, else the first.
 PackedSplats quantizeSplats(Splats&& splats);
 
 /// Frees the data that only building and pruning the octree need, before the index allocates memory.

@@ -13,32 +13,32 @@
 namespace pointrt::surface {
 namespace {
 
-/// In clouds of fewer points, neighbourhoods may be as wide as parts of an object, and planarity weights may tell thin
-/// parts from others. So all of their points become balls, or none.
+/// In clouds of fewer points, neighbourhoods may be as wide as parts of an object, and planarity weights cannot
+/// distinguish thin parts from scattered points. So either all of their points become balls, or none.
 constexpr std::size_t kMostSparsePoints = 5000;
 
 /// A neighbourhood is no surface if the smallest eigenvalue of its covariance over the middle one is above this: nine
-/// in ten of a solid ball are (planarity.cpp). Of 2,048 random samples, 93 % of a slab a tenth of an edge thick, 52 %
-/// of Lucy, 37 % of the Dragon, 17 % of the Bunny, 10 % of a cube and none of a sphere or a torus; of 400 samples of
-/// the Bunny 20 %, and of 300 of a torus three times as wide as its tube 30 %.
+/// in ten of a solid ball are (planarity.cpp). With 2,048 random samples, the share above is 93 % for a slab a tenth of
+/// an edge thick, 52 % for Lucy, 37 % for the Dragon, 17 % for the Bunny, 10 % for a cube, and 0 for a sphere or a
+/// torus; with 400 samples of the Bunny it is 20 %, with 300 of a torus three times as wide as its tube 30 %.
 constexpr float kNoSurface = 0.25f;
 constexpr double kMostlySparse = 0.5;
 
-/// A point is on no surface if its planarity weight is below this, as in weighPlanarity.
+/// A point is on no surface if its planarity weight (weighPlanarity) is below this.
 constexpr float kOnSurface = 0.5f;
 
-/// With more scattered points than this share, a cloud is a volume. In random points it is 0.98; at the borders of a
-/// volume points look flatter, so that in parts of 2,000 points (StatisticsSampler) it is 0.89. Of scans of trees it is
-/// 0.1 to 0.3, as stems and the ground are surfaces.
+/// A cloud with a larger share of scattered points than this is a volume. In random points the share is 0.98; at the
+/// borders of a volume points look flatter, so that in parts of 2,000 points (StatisticsSampler) it is 0.89. Of scans
+/// of trees it is 0.1 to 0.3, as stems and the ground are surfaces.
 constexpr double kVolumeShare = 0.75;
 
 /// A touching ball's radius over the distance to a typical neighbour.
 constexpr float kTouching = 0.5f;
-/// Neighbours whose median distance is typical: a single one may be a second return of the same spot.
+/// Number of neighbours whose median distance is used: a single one may be a second return from the same spot.
 constexpr std::size_t kTypicalNeighbors = 3;
 /// Largest radius over the cloud's median.
 constexpr float kLargestBall = 3;
-/// Where distances underflow (radii.cpp).
+/// Limit below which distances underflow (radii.cpp).
 constexpr float kMinBallRadius = 0x1p-24f;
 
 /// A ball's radius over that of a disc that rays of all directions hit as often: seen from everywhere, a disc shows
@@ -55,7 +55,8 @@ float touchingRadius(const PointGraph& graph, std::size_t point) {
     return std::max(kTouching * distances[count / 2], kMinBallRadius);
 }
 
-/// Of points at random, the nearest neighbours are so unevenly far that one radius in ten is over 3.6 times another.
+/// Among random points, the distances to the nearest neighbours are so uneven that one radius in ten is over 3.6 times
+/// another.
 float typicalRadius(const std::vector<float>& touching, std::span<const std::uint32_t> neighbors, std::size_t point) {
     std::vector<float> around{touching[point]};
     for (const std::uint32_t neighbor : neighbors) around.push_back(touching[neighbor]);

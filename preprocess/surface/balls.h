@@ -10,20 +10,20 @@
 
 namespace pointrt::surface {
 
-/// Whether a cloud is so sparse that most of its neighbourhoods are no surfaces, as they reach around thin parts. False
-/// for clouds of more points than that happens to by sparsity alone.
+/// Whether a cloud is so sparse that most of its neighbourhoods are not surfaces, as they reach around thin parts.
+/// False for clouds of more points than can be so by sparsity alone.
 bool isTooSparse(const PointGraph& graph);
 
-/// Whether a cloud with so many scattered points (weighPlanarity) hardly has any on a surface.
+/// Whether a cloud with this many scattered points (weighPlanarity) has hardly any point on a surface.
 bool isVolume(std::size_t scattered, std::size_t points);
 
-/// Sets the radii of balls, of all points. Half the median distance to the three nearest neighbours makes typical
-/// neighbours touch; the median of that over the neighbourhood makes them alike, and follows the density. At most three
-/// times the cloud's median, so that strays stay small. Given radii stay.
+/// Sets the radii of balls for all points. Half the median distance to the three nearest neighbours makes typical
+/// neighbours touch; taking the median of that over the neighbourhood evens them out, but follows the density. Limited
+/// to three times the cloud's median, so that strays stay small. Given radii are kept.
 void setBallRadii(PointGraph& graph, const StageShare& share);
 
 /// Whether points may become balls by themselves: not if so few are on no surface that the cloud consists of surfaces,
-/// nor if the cloud is so small that sparsity alone could tell.
+/// nor if the cloud is so small that only its sparsity could show it.
 /// @param decided for a part of a larger cloud: whether that has scattered points
 bool mayHaveBalls(const PointSet& points, std::optional<bool> decided);
 

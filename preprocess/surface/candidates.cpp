@@ -10,7 +10,7 @@ namespace {
 constexpr std::size_t kLanes = 8;
 
 /// Copies the values up to a limit, with their indices, to the front of kept, which may be the same arrays. Returns
-/// their number. Writes every value, but advances only past those to keep: no branch to mispredict.
+/// their number. Writes every value, but advances only past those to keep, which avoids mispredicted branches.
 std::size_t keepUpTo(float limit, const float* squared, const std::uint32_t* indices, std::size_t count, float* kept,
                      std::uint32_t* kept_indices) {
     std::size_t end = 0;

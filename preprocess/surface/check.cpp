@@ -17,7 +17,7 @@ namespace {
 
 [[noreturn]] void fail(const std::string& reason) { throw Error{ExitCode::kBadInput, reason}; }
 
-/// The position farthest from the given one; of equally distant ones the first.
+/// The position farthest from the given one; the first one of equally distant positions.
 Vec3d farthestFrom(const std::vector<Vec3f>& positions, const Vec3d& from) {
     struct Farthest {
         double distance = -1;
@@ -43,7 +43,8 @@ bool allOnLine(const std::vector<Vec3f>& positions, const Vec3d& base, const Vec
 
 /// Whether all are on a line to within a millionth of their extent and the rounding of float.
 bool onLine(const std::vector<Vec3f>& positions, const Bounds& bounds) {
-    // If all points are on a line, the one farthest from any of them is an end, and the one farthest from it the other.
+    // If all points are on a line, the point farthest from any of them is one end, and the point farthest from that is
+    // the other.
     const Vec3d base = farthestFrom(positions, positions.front().cast<double>());
     const Vec3d direction = (farthestFrom(positions, base) - base).normalized();
     // Rounding changes a coordinate by at most 2^-24 of itself; the distance has four such errors.
@@ -51,8 +52,8 @@ bool onLine(const std::vector<Vec3f>& positions, const Bounds& bounds) {
     return allOnLine(positions, base, direction, 1e-6 * bounds.longestEdge() + rounding);
 }
 
-/// Scaled to an extent of 1, points of 2^-60 times that extent have squared distances of 2^-134 at a hundredth of
-/// theirs: floats hold those with few bits, and soon underflow.
+/// In a cloud scaled to an extent of 1, points that together span only 2^-60 of it are a hundredth of that apart, so
+/// their squared distances are 2^-134: floats have few bits for these, and soon underflow.
 const double kMostExtents = std::ldexp(1.0, 60);
 
 /// Indices, ascending, of the points more than 100 times as far from the median as 99% of all points: such an outlier

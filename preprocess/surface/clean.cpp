@@ -29,8 +29,8 @@ void dropSilhouettes(PointGraph& graph, CleanReport& report) {
     graph.keep(keep);
 }
 
-/// localNoise, but 0 if the scan or the surroundings are clean, and no more than is likely in this scan: 9 in 10 points
-/// of raw range scans are below 1.6 times its noise. What looks noisier is shape.
+/// localNoise, but 0 if the scan or the surroundings are clean, and limited to what is likely in this scan: in raw
+/// range scans, 9 in 10 points are below 1.6 times the scan's noise. Larger deviations are shape.
 std::vector<float> noiseToSmooth(const PointGraph& graph, const std::vector<float>& noise_of_scans,
                                  const StageShare& share) {
     const PointSet& points = graph.points;

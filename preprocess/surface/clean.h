@@ -21,8 +21,8 @@ struct CleanReport {
 
 /// Measures the noise unless it is known (clouds of kFewForNoise points and more). In scans with more than kCleanNoise,
 /// drops the points at silhouettes and moves the others onto the surface among them, sets their noise and support, and
-/// rebuilds the graph. Otherwise changes nothing. Points with given radii neither move nor go, nor count for the noise:
-/// they overlap by design, and offsets between them are not noise.
+/// rebuilds the graph. Otherwise changes nothing. Points with given radii are neither moved nor dropped, and do not
+/// count for the noise: they overlap by design, and offsets between them are not noise.
 CleanReport cleanPoints(PointGraph& graph, const CleanOptions& options, const StageProgress& progress);
 
 } // namespace pointrt::surface

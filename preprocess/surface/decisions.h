@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Decisions made for a whole cloud, for the estimation of its parts.
+// Decisions for a whole cloud, used to estimate its parts.
 #pragma once
 
 #include <cstdint>
@@ -15,7 +15,7 @@ namespace pointrt {
 
 struct SurfaceReport;
 
-/// Statistics of a cloud. A part of the cloud uses them as decisions, and decides for itself where a value is missing.
+/// Statistics of a cloud. Parts of the cloud use them as decisions, and decide for themselves if a value is missing.
 struct CloudStatistics {
     std::vector<float> noise; ///< [scans] standard deviation across the surface over the spacing; empty: not measured
     std::optional<bool> scattered;          ///< whether some points are scattered in space, such as foliage
@@ -30,7 +30,8 @@ struct CloudStatistics {
 struct SurfaceDecisions {
     std::vector<Vec3f> sides; ///< [points of the cloud] unit direction that the normal should face; zero: unknown
     CloudStatistics statistics;
-    /// [points of the cloud] flagSilhouettes of the larger cloud, whose grids this one lacks; empty: its own decide.
+    /// [points of the cloud] flagSilhouettes of the larger cloud, since this one has no grids; empty: its own grids
+    /// decide.
     std::vector<std::uint8_t> silhouettes;
     /// [points of the cloud] 1: the neighbourhood is complete, 0: the cloud was cut there; empty: all are complete.
     /// Only these count in the SurfaceReport for StatisticsSampler.
@@ -40,7 +41,7 @@ struct SurfaceDecisions {
 /// Statistics of a cloud, sampled at several places in it; common_reach is left out.
 class StatisticsSampler {
 public:
-    /// @param splats those of one place, estimated with radius_limit infinity and radius_scale 1
+    /// @param splats of one place, estimated with radius_limit infinity and radius_scale 1
     void add(const SurfaceReport& report, const Splats& splats);
 
     /// Empty for fewer than kMinPointsForPlanarity points, and the noise for fewer than kFewForNoise.

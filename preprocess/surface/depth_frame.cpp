@@ -21,7 +21,7 @@ std::vector<double> distinct(std::vector<double> values, double tolerance) {
     return all;
 }
 
-/// Fit of the gaps between depths to a law: the median ratio, and the median deviation from it, as a logarithm.
+/// How well the gaps between depths fit a law: the median ratio, and the median deviation from it, as a logarithm.
 struct LawFit {
     double step = 0, misfit = 0;
 };
@@ -88,7 +88,7 @@ std::optional<DepthFrame> depthFrameOf(const Cloud& cloud, const RangeGrid& grid
         const std::uint32_t cell = grid.point_of_cell[i];
         if (cell >= RangeGrid::kFilteredOut) continue;
         const Vec3d from_sensor = cloud.positions[cell].cast<double>() - frame.sensor;
-        if (from_sensor.isZero(0)) continue; // some programs write missing depths so
+        if (from_sensor.isZero(0)) continue; // some programs write missing depths as zero
         const double depth = from_sensor.dot(frame.axis);
         if (!(depth > kWidestCosine * from_sensor.norm())) return std::nullopt;
         frame.inverse[i] = 1 / depth;

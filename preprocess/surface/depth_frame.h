@@ -25,7 +25,7 @@ std::optional<DepthFrame> depthFrameOf(const Cloud& cloud, const RangeGrid& grid
 /// pattern (Khoshelham and Oude Elberink, "Accuracy and resolution of Kinect depth data", 2012), and are constant for
 /// those that write whole millimetres.
 struct DepthSteps {
-    bool of_inverse = true; ///< constant in 1 / depth, otherwise in depth
+    bool of_inverse = true; ///< the step is constant in 1 / depth, otherwise in depth
     double step = 0;
 
     /// The step in 1 / depth at a depth.

@@ -31,7 +31,7 @@ constexpr double kFits = 1.5;
 /// Largest error of a sample in standard deviations.
 constexpr double kMostDeviations = 3;
 
-/// A frame to dequantise; noise in steps.
+/// A frame to remove quantisation from; noise is in steps.
 struct Dequantizer {
     const RangeGrid& grid;
     DepthFrame frame;
@@ -39,7 +39,7 @@ struct Dequantizer {
     Arms arms = {};
     double noise = 1 / std::sqrt(12.0); ///< of uniform quantisation
 
-    /// Limit, in steps, of a point's movement.
+    /// Limit of a point's movement, in steps.
     double bound() const { return std::max(1.0, kMostDeviations * noise); }
 };
 
@@ -80,7 +80,7 @@ double measuredNoise(const Dequantizer& dequantizer) {
     return double(medianOf(std::move(residuals)));
 }
 
-/// 1 / depth on planes, for rows [first, last): each cell on the widest one that fits.
+/// Fits 1 / depth by planes, for rows [first, last): each cell on the widest plane that fits.
 std::vector<double> planeDepths(const Dequantizer& dequantizer, std::uint32_t first, std::uint32_t last) {
     const std::size_t from = dequantizer.frame.cell(first, 0), count = dequantizer.frame.cell(last, 0) - from;
     const double* const inverse = dequantizer.frame.inverse.data() + from;

@@ -19,10 +19,10 @@ struct DequantizeReport {
 };
 
 /// Detects grids with quantised depths, by the depths alone, and moves their points along the line of sight onto planes
-/// fitted to windows as large as possible: the residual must be that of the noise, and windows end at jumps of more
-/// than a few steps. No point moves further than a step or, if that is more, three standard deviations of the scan's
-/// noise. Sets Cloud::noise of those points: that of the quantisation, or the measured noise if larger. Leaves all
-/// other grids, and those with noise below kCleanNoise, bit for bit.
+/// fitted to windows that are as large as possible: the residual must not exceed the noise, and windows end at jumps of
+/// more than a few steps. No point moves further than a step or, if that is more, three standard deviations of the
+/// scan's noise. Sets Cloud::noise of those points: that of the quantisation, or the measured noise if larger. Leaves
+/// all other grids, and those with noise below kCleanNoise, bit for bit.
 DequantizeReport dequantizeDepths(Cloud& cloud);
 
 } // namespace pointrt

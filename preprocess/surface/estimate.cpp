@@ -30,7 +30,7 @@ constexpr const char* kNeighborStage = "neighbors";
 constexpr const char* kRadiusStage = "radii";
 constexpr double kFillShare = 0.2; ///< of the radius stage's time
 
-/// What all stages of one estimation share.
+/// State that all stages of one estimation share.
 struct Estimation {
     const SurfaceOptions& options;
     const SurfaceDecisions& decided;
@@ -68,7 +68,7 @@ std::vector<std::uint8_t> innerOf(const PointSet& points, const SurfaceDecisions
     return inner;
 }
 
-/// The commonReach of the larger cloud, or of this one, whose lists are of nearest neighbours.
+/// The commonReach of the larger cloud, else that of this one; the lists must be of nearest neighbours.
 float commonReachOf(const PointGraph& graph, const SurfaceDecisions& decided) {
     if (const auto reach = inPoints(graph.points, decided.statistics.common_reach)) return *reach;
     std::vector<float> distances(graph.points.size());
@@ -77,8 +77,8 @@ float commonReachOf(const PointGraph& graph, const SurfaceDecisions& decided) {
     return commonReach(std::move(distances));
 }
 
-/// In clouds of fewer points, neighbourhoods may be as wide as parts of an object (balls.cpp): what seems to be noise
-/// or a gap is shape.
+/// In clouds of fewer points, neighbourhoods may be as wide as parts of an object (balls.cpp): what looks like noise or
+/// a gap is shape.
 constexpr std::size_t kFewForBlur = 5000;
 
 /// Finds the neighbours of all points, removes outliers, and sets the thinning.
@@ -97,8 +97,8 @@ void connect(PointGraph& graph, Estimation& job) {
     surround(graph, job, {job.progress, kNeighborStage, kSearch, 1});
 }
 
-/// Turns normals to the decided sides. Leaves a normal that is nearly perpendicular to its decided side: that was
-/// decided for a wide neighbourhood, whose normal may differ by so much.
+/// Flips normals to the decided sides. Leaves a normal that is nearly perpendicular to its decided side, which was
+/// decided for a wide neighbourhood whose normal may differ by that much.
 void faceDecidedSides(PointSet& points, const std::vector<Vec3f>& sides) {
     constexpr float kGrazing = 0.3f; // cosine of 73 degrees
     for (std::size_t i = 0; i < points.size() && !sides.empty(); ++i) {
@@ -126,7 +126,7 @@ bool setNormals(PointGraph& graph, bool given_sides, const Estimation& job) {
     return report.oriented;
 }
 
-/// What is known of the points before estimation, from the cloud's scans.
+/// Facts about the points that are known from the cloud's scans before estimation.
 struct ScanPriors {
     std::vector<std::size_t> first_points; ///< [scans]
     std::vector<std::uint8_t> silhouettes; ///< [points of the cloud], flagSilhouettes
@@ -158,7 +158,7 @@ void applyPriors(PointSet& points, const ScanPriors& priors) {
 }
 
 /// Raises the planarity weight of noisy points around which cleaning has found a surface, however scattered they were:
-/// to 1 for a support of kSure, which nine in ten points of the noisiest scans reach, and to 0 for kNone.
+/// to 1 at a support of kSure, which nine in ten points of the noisiest scans reach, falling to 0 at kNone.
 void raisePlanarity(PointSet& points) {
     if (points.support.empty()) return;
     constexpr float kNone = 0.5f, kSure = 0.7f;
@@ -190,7 +190,7 @@ void clean(PointGraph& graph, const ScanPriors& priors, const Estimation& job) {
     report.clean_moved = std::max(cleaned.moved, report.dequantized.moved);
 }
 
-/// Lets points that look scattered, but that cleaning has put on a surface, count as points of that.
+/// Makes points that look scattered, but that cleaning has moved onto a surface, count as points of the surface.
 void trustSmoothed(PointGraph& graph, const Estimation& job) {
     const Stopwatch watch(job.report.seconds_clean);
     const StageProgress silent;
@@ -198,7 +198,7 @@ void trustSmoothed(PointGraph& graph, const Estimation& job) {
     graph.points.support = {}; // no longer needed
 }
 
-/// Samples the noise of a place of a larger cloud.
+/// Samples the noise in one place of a larger cloud.
 void samplePlaceNoise(PointGraph& graph, const ScanPriors& priors, const Estimation& job) {
     if (job.decided.inner.empty()) return;
     constexpr std::size_t kStep = 2; // places are small
@@ -209,7 +209,7 @@ void samplePlaceNoise(PointGraph& graph, const ScanPriors& priors, const Estimat
     graph.points.scan_of_point = {}, graph.points.at_silhouette = {};
 }
 
-/// Sets planarity weights. Called before cleaning, after which scattered points would lie on surfaces, too.
+/// Sets planarity weights. Must be called before cleaning, after which scattered points would also lie on surfaces.
 void setPlanarity(PointGraph& graph, const Estimation& job) {
     const Stopwatch watch(job.report.seconds_radii);
     const StageProgress silent;
@@ -234,13 +234,14 @@ std::vector<std::uint32_t> fill(PointGraph& graph, std::size_t cloud_count, cons
     return sources;
 }
 
-/// The reach of sparse points: beyond that of 95% of the points, and far beyond that of the densest, which in even
-/// samplings none is.
+/// The reach of sparse points: more than that of 95% of the points, and far more than that of the densest, which no
+/// point of an even sampling has.
 float sparseReach(const PointGraph& graph, const Estimation& job) {
     constexpr float kFarBeyond =
-        12; // raw range scans: 4 at most, by overlap; as a power of two, half of it may be left
+        12; // raw range scans have at most 4, by overlap; as a power of two, half of it may be lost
     const float finest = *inPoints(graph.points, job.thinning.finest_cells);
-    // A power of two, as in ThinnedCloud: samples of a set's places and of the whole rarely differ in that.
+    // A power of two, as in ThinnedCloud, so that it is mostly the same for samples of a set's places and of all
+    // points.
     const float dense = finest > 0 ? std::ldexp(1.0f, std::ilogb(finest)) : 0;
     return std::max(std::ldexp(job.common_reach, -graph.points.scale_exponent), kFarBeyond * dense);
 }
@@ -263,7 +264,7 @@ void turnIntoBalls(PointSet& points, const std::vector<std::uint8_t>& balls, con
     for (std::size_t i = 0; i < balls.size(); ++i) {
         if (!balls[i]) continue;
         points.normals[i] = Vec3f::Zero();
-        if (!points.noise.empty()) points.noise[i] = 0; // it is that of a surface
+        if (!points.noise.empty()) points.noise[i] = 0; // the noise is that of a surface
         ++job.report.balls;
     }
 }
@@ -276,19 +277,19 @@ void makeBalls(PointGraph& graph, const Estimation& job) {
     turnIntoBalls(graph.points, std::vector<std::uint8_t>(graph.points.size(), 1), job);
 }
 
-/// What is known of a cloud before its surface is estimated.
+/// Facts about a cloud that are known before its surface is estimated.
 struct KnownCloud {
     const ScanPriors& priors;
     std::size_t cloud_count;
     bool given_sides, has_normals;
 };
 
-/// Whether points may become balls where they are on no surface. Points with normals are on one.
+/// Whether points that are on no surface may become balls. Points with given normals are on a surface.
 bool choosesBalls(const KnownCloud& known, const Estimation& job) {
     return job.options.splat == SplatShape::kAuto && !known.has_normals;
 }
 
-/// Whether all points may do so: the cloud is not a part of a larger one.
+/// Whether all points may become balls: not if the cloud is a part of a larger one.
 bool choosesAll(const KnownCloud& known, const Estimation& job) {
     return choosesBalls(known, job) && !job.decided.statistics.scattered;
 }

@@ -97,7 +97,7 @@ bool mayBeGround(const Candidate& each) { return !(each.is_axis && std::abs(each
 /// Has a floor on one side and a ceiling on the other.
 bool isRoom(const Candidate& each) { return each.below.floor >= 0.3 && each.above.floor >= 0.3; }
 
-/// A room is not decided here: of a scan from within, its ceiling may be more complete than its floor.
+/// Rooms are not decided here: in a scan from inside, the ceiling may be more complete than the floor.
 Answer fromGround(const Evidence& evidence) {
     for (const Candidate& each : evidence.candidates) {
         const Footprint &below = each.below, &above = each.above;

@@ -20,7 +20,7 @@ struct NoiseSamples {
 void sampleNoise(const PointSet& points, const NeighborLists& lists, const std::vector<std::uint8_t>& inner,
                  std::size_t step, NoiseSamples& samples);
 
-/// The noise of each scan, as scanNoise; of a scan without samples that of all together.
+/// The noise of each scan, as by scanNoise; scans without samples get that of all scans together.
 std::vector<float> noiseOf(NoiseSamples samples);
 
 /// [scans], the median over a scan's points of the standard deviation across the surface, over the spacing; at most

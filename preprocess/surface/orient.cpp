@@ -184,7 +184,7 @@ void voteAt(std::uint32_t point, const Components& components, const PointSet& p
 
 /// Votes of sampled points. Skips the points of the component with the largest area: the other one of each pair votes.
 SheetVotes voteOnSheets(const Components& components, const PointSet& points, const NearestSearch& search) {
-    constexpr std::size_t kStep = 16; // samples one point in so many
+    constexpr std::size_t kStep = 16; // samples one point in this many
     const auto by_area = [](const Component& a, const Component& b) { return a.area < b.area; };
     const auto largest =
         std::uint32_t(std::max_element(components.all.begin(), components.all.end(), by_area) - components.all.begin());

@@ -43,7 +43,7 @@ struct Graph {
     const NeighborLists& lists;
     const EdgeKinds& kinds;
 
-    /// By the normals alone if the edge lies in the surface, which avoids reading positions.
+    /// Uses only the normals if the edge lies in the surface, which avoids reading positions.
     Agreement agreement(std::size_t a, std::uint32_t b) const {
         if (kinds.oblique[a] || kinds.oblique[b]) return agreementOf(points, a, b);
         const float cosine = points.normals[a].dot(points.normals[b]);

@@ -14,8 +14,8 @@
 namespace pointrt::surface {
 namespace {
 
-/// Distance to the k-th neighbour of an outlier, over that of its neighbours. A point nine spacings off a surface has
-/// it.
+/// Distance to the k-th neighbour of an outlier, divided by that of its neighbours. A point nine spacings off a surface
+/// reaches this ratio.
 constexpr float kFarTimes = 4;
 
 /// Islands of a surface seen through a gap are as large as the gap, to within a factor of 5 in raw range scans; clumps
@@ -31,7 +31,7 @@ constexpr double kCommonShare = 0.95;
 constexpr float kNoPlane = 0.15f;
 
 /// At more than twice the distance, the neighbours may be the near side of the whole scan, which looks flatter from
-/// there. Of caps of 17 random points and 0.4 radians, one in ten thousand is above.
+/// there. One in ten thousand caps of 17 random points and 0.4 radians is above.
 constexpr float kFarOut = 2, kNoPlaneFarOut = 0.1f;
 
 /// For points near a surface, below kFarTimes: height over the plane of the neighbours, over theirs, and distance to
@@ -55,8 +55,8 @@ bool isFloater(const OutlierJob& job, std::size_t point) {
     return misfit > flat && std::isfinite(misfit); // infinite: on a line, such as a sparse scan line
 }
 
-/// Whether a distance is `times` the distance to the k-th neighbour for three in four neighbours. Not the median: at a
-/// jump of density, most neighbours of a point on the sparse side may be on the dense one.
+/// Whether, for three in four neighbours, a distance is `times` the distance to the neighbour's own k-th neighbour. A
+/// median would fail at a jump of density, where most neighbours of a point on the sparse side may be on the dense one.
 bool isFar(const OutlierJob& job, float distance, std::span<const std::uint32_t> neighbors, float times = kFarTimes) {
     const auto closer = std::count_if(neighbors.begin(), neighbors.end(), [&](std::uint32_t neighbor) {
         return distance > times * job.distances[neighbor];
@@ -104,8 +104,8 @@ bool isOutlier(const OutlierJob& job, std::size_t point) {
 /// Representatives around a point that may lie between them, of cells of half the distance to the k-th neighbour: wider
 /// ones would reach beyond the halos of tiles.
 constexpr std::size_t kAround = 24;
-/// Edge of the finest cells over the distance of floaters: an eighth of the reach that 95% of the points have. Sparse
-/// samples have more, and tiles know it as well as the whole.
+/// Edge of the finest cells, divided by the distance of floaters: an eighth of the 95th percentile of distances to the
+/// k-th neighbour. Sparse samples need a larger edge; tiles measure the same percentile as the whole cloud.
 constexpr float kFinestShare = 1.0f / 32;
 /// Fewest representatives on one side of a sparse sample of a surface, even at a straight border, where about half of
 /// them are left.
@@ -171,7 +171,7 @@ std::vector<std::uint8_t> flagInliers(const PointSet& points, const NeighborList
     job.floater_distance = kFarTimes * (common_reach ? *common_reach : commonReach(job.distances));
     tbb::parallel_for(std::size_t(0), points.size(), [&](std::size_t i) { keep[i] = !isOutlier(job, i); });
     spareSparseSurfaces(job, keep);
-    // If most points seem to be outliers, the sampling is sparse; floaters of a larger cloud go all the same.
+    // If most points seem to be outliers, the sampling is sparse: only floaters of a larger cloud are removed.
     if (std::size_t(std::count(keep.begin(), keep.end(), 1)) < points.size() / 2)
         for (std::size_t i = 0; i < keep.size(); ++i) keep[i] = !(common_reach && isFloater(job, i));
     return keep;

@@ -10,7 +10,7 @@
 
 namespace pointrt::surface {
 
-/// With fewer points, outliers cannot be told from sparse sampling.
+/// With fewer points, outliers look the same as sparse sampling.
 constexpr std::size_t kMinPointsForOutliers = 1000;
 
 /// [points], 1: keep, 0: outlier. Distances are compared with those of neighbours, so that a change of density does not

@@ -12,8 +12,8 @@ namespace pointrt::surface {
 namespace {
 
 /// A point is flat if the root mean square height of its neighbours over the tangent plane, in neighbourhood radii, is
-/// at most this. It is 0.1 on a sphere of three neighbourhood radii, 0.45 in a solid ball. Of a million samples of a
-/// scanned statue's mesh, 1 in 70 is above.
+/// at most this. It is 0.1 on a sphere of three neighbourhood radii, 0.45 in a solid ball. 1 in 70 of a million
+/// samples of a scanned statue's mesh is above.
 constexpr float kFlatHeight = 0.15f;
 
 /// Smallest eigenvalue over the middle one, at the better of two scales. Nine in ten points of raw range scans with an
@@ -31,12 +31,12 @@ constexpr float kFaceHeight = 0.1f, kFaceCosine = 0.8f;
 constexpr float kAmongSurfaces = 0.5f, kAmongScatter = 0.25f;
 
 /// A cloud with fewer scattered points than this share consists of surfaces: their thinnest parts look scattered,
-/// because neighbourhoods reach around them. Of a million samples of scanned meshes, 3 in a thousand do.
+/// because neighbourhoods reach around them, as do 3 in a thousand of a million samples of scanned meshes.
 constexpr double kMinScattered = 0.01;
 
-/// Mean weight over a smoothed point's neighbours and theirs from which it is on a surface. Of points that looked
-/// scattered in noise two thirds of a spacing wide, on the folds of a statue, 7 in 8 of those that were moved are
-/// above, of single trees 1 in 3, of forests from the air 1 in 5 to 1 in 16.
+/// A smoothed point is on a surface if the mean weight over its neighbours and theirs is at least this. On the folds of
+/// a statue, with noise two thirds of a spacing wide, 7 in 8 moved points that had looked scattered are above; in
+/// single trees 1 in 3 are, and in airborne scans of forests 1 in 5 to 1 in 16.
 constexpr float kOnSmoothedSurface = 0.9f;
 
 /// 1 at `sure` and beyond, 0 at `none` and beyond, linear in between.

@@ -30,7 +30,7 @@ std::size_t weighPlanarity(PointGraph& graph, std::optional<bool> decided, const
 /// where noise is as wide as folds are, it makes them look scattered. Needs points.support.
 void raisePlanarityOfSmoothed(PointGraph& graph, const StageShare& share);
 
-/// Whether a cloud with so many scattered points has more than surfaces.
+/// Whether a cloud with this many scattered points contains more than surfaces.
 bool isScattered(std::size_t scattered, std::size_t points);
 
 } // namespace pointrt::surface

@@ -156,7 +156,7 @@ PointSet takePoints(Cloud&& cloud, const std::vector<std::uint32_t>& left_out) {
 }
 
 bool refit(PointSet& points) {
-    // At this extent, 15 of the 21 bits per axis of the curve's code still tell points apart.
+    // At this extent, 15 of the 21 bits per axis of the curve's code still distinguish points.
     constexpr double kSmall = 1.0 / 64;
     const Bounds bounds = boundsOf(points.positions);
     const double extent = bounds.longestEdge();

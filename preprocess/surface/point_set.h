@@ -24,14 +24,14 @@ struct PointColumns {
     std::vector<float> given_noise;             ///< the device's standard deviation; 0 if unknown
     std::vector<std::uint32_t> input_index;     ///< index in the cloud
 
-    // computed by stages
+    // the following are computed step by step
     std::vector<std::uint8_t> side_known; ///< 1: the normal points out before normals are oriented
     std::vector<std::uint32_t> scan_of_point;
     std::vector<std::uint8_t> at_silhouette; ///< 1: flagged by flagSilhouettes
     std::vector<float> planarity;            ///< planarity weight (planarity.h); empty: 1 everywhere
     std::vector<float> noise;                ///< standard deviation across the surface; empty if all scans are clean
     std::vector<float> support;              ///< share of the neighbourhood on the surface, from projectPoints
-    std::vector<float> radii;                ///< of the point's disc
+    std::vector<float> radii;                ///< radius of the point's disc
 
     auto columns() {
         return std::tie(positions, normals, colors, sensor_of_point, given_radii, given_noise, input_index, side_known,

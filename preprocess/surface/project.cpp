@@ -38,7 +38,7 @@ float supportRadius(float sigma, float spacing) {
     return std::clamp(kSupportRadius * std::sqrt(sigma * spacing), kLeastSpacings * spacing, kMostSpacings * spacing);
 }
 
-/// The support radius of each point; 0 for points without noise, which stay.
+/// The support radius of each point; 0 for points without noise, which are not moved.
 std::vector<float> supportRadii(const NeighborLists& lists, const std::vector<float>& sigma, float strength) {
     std::vector<float> radii(sigma.size(), 0);
     for (std::size_t i = 0; i < radii.size(); ++i)

@@ -43,7 +43,7 @@ constexpr float kIsolated = 4;
 /// corner is 1.0.
 constexpr float kSureSpacings = 1;
 
-/// Where distances underflow: finer than the positions of a cloud whose extent is about 1.
+/// Smaller distances underflow: they are finer than the positions of a cloud whose extent is about 1.
 constexpr float kMinRadius = 0x1p-24f;
 
 /// Limit of radii: kLimit times the kLimitShare quantile. Affects at most one point in a thousand, so that a sparse
@@ -240,8 +240,9 @@ float discRadius(const RadiusJob& job, std::size_t point, VoronoiCell& cell, std
 /// plane.
 float unevenRadius(const PointGraph& graph, const std::vector<float>& radii, std::size_t point) {
     // In 99 of 100 places, radii are at most 1.6 times the median of their neighbours' in raw range scans, 1.4 times in
-    // airborne surveys of houses; half of those above 10 cm in trees of 10 m are 2.4 times. Only where neighbours are a
-    // tenth of the neighbourhood's radius off the plane: a surface has such radii, too, at a change of density.
+    // airborne surveys of houses; half of those above 10 cm in trees of 10 m are 2.4 times. Applies only if
+    // neighbours are a tenth of the neighbourhood's radius off the plane, because surfaces have such radii where their
+    // density changes.
     constexpr float kPlate = 1.7f, kUneven = 0.1f;
     const auto neighbors = graph.lists.of(point);
     const auto narrow = std::count_if(neighbors.begin(), neighbors.end(),
@@ -255,7 +256,7 @@ float unevenRadius(const PointGraph& graph, const std::vector<float>& radii, std
 }
 
 /// Whether the points on a list surround their point in its tangent plane: no angle of 150 degrees is empty. At a
-/// border, half a turn is; of 16 random points around, one list in 1,000 has such a gap.
+/// border, half a turn is; one in 1,000 lists of 16 random points around has such a gap.
 bool isSurrounded(const PointGraph& graph, std::size_t point) {
     constexpr float kWidest = 2 * std::numbers::pi_v<float> * 150 / 360;
     const TangentPlane plane(graph.points.positions[point], graph.points.normals[point]);
@@ -268,8 +269,8 @@ bool isSurrounded(const PointGraph& graph, std::size_t point) {
     return gapsBetween(angles).widest < kWidest;
 }
 
-/// What makes a disc part of a surface: points up to so far off its plane, in radii, their share of all around, and how
-/// far away, in radii, those must be that leave no wide angle empty.
+/// A disc is part of a surface if, among the points up to this many radii off its plane, which must be this share of
+/// all points around, those within this distance (in radii) leave no wide angle empty.
 struct Support {
     float off_plane;
     double share;
@@ -281,10 +282,10 @@ constexpr Support kOfMost{0.25f, 0.35, 0};
 /// each side, would leave as little empty.
 constexpr Support kOfLargest{0.1f, 0.5, 0.5f};
 
-/// Whether a disc is part of a surface: of all points within 2.5 radii, many are hardly off its plane and leave no
+/// Whether a disc is part of a surface: many of the points within 2.5 radii are hardly off its plane, and they leave no
 /// angle of 200 degrees empty. At a straight border half a turn is empty; along an edge about half of the points are
-/// off the plane, and of points in space 85% are. The arcs that a lidar leaves in a crown lie in a plane, too, that of
-/// its beam, but few other points do.
+/// off the plane, and in space 85% are. The arcs that a lidar leaves in a crown also lie in a plane, that of its beam,
+/// but few other points lie in it.
 bool isSupported(const PointGraph& graph, float radius, const Support& support, std::size_t point,
                  std::vector<std::uint32_t>& found) {
     constexpr float kReach = 2.5f, kWidest = 2 * std::numbers::pi_v<float> * 200 / 360;
@@ -318,7 +319,7 @@ bool isBetweenLines(const PointGraph& graph, std::size_t point) {
 }
 
 struct PlateLimits {
-    float sparse_reach; ///< as of shrinkPlates
+    float sparse_reach; ///< see shrinkPlates
     float large;        ///< radius above which support must be better
 };
 
@@ -335,7 +336,7 @@ float unprovenRadius(const PointGraph& graph, float radius, const PlateLimits& l
     const NeighborLists& lists = graph.lists;
     if (lists.k < kSixth) return radius;
     const float sixth = lists.distance(graph.points, point, kSixth - 1), reach = lists.radius(graph.points, point);
-    const bool in_clump = lists.thinned[point] & kClump; // distances within clumps tell nothing
+    const bool in_clump = lists.thinned[point] & kClump; // distances within clumps say nothing about the spacing
     const bool wide = radius > kWide * sixth;
     const bool sparse = lists.completeRadius(graph.points, point) > limits.sparse_reach;
     const bool large = radius > limits.large;

@@ -14,11 +14,11 @@ namespace pointrt::surface {
 /// out of a ridge or over an open border. Corners further away than gaps of the sampling can be (at an open border, of
 /// a lone point), or with nothing behind them, do not count. Discs of points scattered in space (planarity) are half as
 /// wide as the distance to the second neighbour.
-/// @param oriented normals tell the two sides of a thin sheet apart
+/// @param oriented normals distinguish the two sides of a thin sheet
 void computeRadii(PointGraph& graph, bool oriented, const StageShare& share);
 
-/// Shrinks discs of smoothed points (noise above 0): such points were one behind the other before, so that a surface
-/// has more of them than their spacing says.
+/// Shrinks discs of smoothed points (noise above 0): smoothing moved such points from behind one another into one
+/// surface, which therefore has more points than their spacing suggests.
 void shrinkSmoothed(PointSet& points);
 
 /// Shrinks discs much wider than those around them if their neighbours are in no plane: in crowns and hedges, at edges
@@ -39,7 +39,7 @@ struct RadiusLimitRule {
     std::size_t place = 0;
     float times = 1;
 };
-/// nullopt if there are too few radii.
+/// nullopt if there are not enough radii.
 std::optional<RadiusLimitRule> radiusLimitRule(std::size_t count);
 
 /// The limit of a cloud's radii; infinity if there are too few. Reorders them.

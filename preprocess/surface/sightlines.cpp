@@ -50,7 +50,7 @@ constexpr std::size_t kMostOthers = 8;
 constexpr float kInside = 0.25f;
 constexpr double kMostInside = 0.04;
 
-/// A sensor represents a direction if all its points are within so many radians of their mean direction: it is placed
+/// A sensor represents a direction if all its points are within this many radians of their mean direction: it is placed
 /// at ten diagonals, from where half a diagonal subtends atan(1/20), and the mean may be off by as much.
 constexpr float kDirection = 0.1f;
 

@@ -21,14 +21,14 @@ constexpr double kSteepest = 6;
 /// Least step of the surface, in standard deviations of the scan.
 constexpr double kNoisySteps = 6;
 
-/// A scanner further away than so many diagonals of its points sees them all in nearly the same direction, where a
+/// A scanner further away than this many diagonals of its points sees them all in nearly the same direction, where a
 /// slope means the same everywhere.
 constexpr double kFarDiagonals = 3;
 
 /// Steps to the four adjacent cells.
 constexpr std::array<GridStep, 4> kNeighbors = {GridStep{0, 1}, {0, -1}, {1, 0}, {-1, 0}};
 
-/// A grid with the properties of its scan.
+/// A grid with properties measured on its scan.
 struct ScanGrid {
     GridView view;
     bool has_sensor = false, is_near = false;
@@ -119,8 +119,8 @@ bool isMixedPixel(const ScanGrid& scan, GridCell cell, std::uint32_t point) {
     return false;
 }
 
-/// A station sees thin things and rims as they are, so only its mixed pixels count. Samples of a distant scanner that
-/// triangulates curl around edges.
+/// A station measures thin objects and rims correctly, so only its mixed pixels count. Samples of a distant scanner
+/// that triangulates curl around edges.
 bool isSilhouette(const ScanGrid& scan, GridCell cell, std::uint32_t point) {
     if (scan.has_sensor && scan.is_near) return isMixedPixel(scan, cell, point);
     for (const GridStep step : kNeighbors) {

@@ -17,7 +17,7 @@ constexpr std::size_t kSamples = 16384;
 /// Cosine and sine of 10 degrees: tolerance for walls and floors of real rooms with noisy normals.
 const double kAlong = std::cos(10 * std::numbers::pi / 180), kAcross = std::sin(10 * std::numbers::pi / 180);
 
-/// Cosine of 5 degrees: directions nearer to an axis are meant to be that axis.
+/// Cosine of 5 degrees: directions nearer to an axis are snapped to it.
 const double kAxisCosine = std::cos(5 * std::numbers::pi / 180);
 
 /// Edge of the map of directions, a hemisphere: bins of some 5 degrees.

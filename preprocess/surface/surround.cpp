@@ -24,11 +24,12 @@ namespace {
 constexpr std::size_t kFewestToSurround = 8;
 
 /// A list is on a line if its points spread so much further along it than across that (b + c) a / (a + b + c)^2 is
-/// below this, for eigenvalues a >> b, c of the covariance: 1 in 5 for (b + c) / a. Of random neighbours on a surface,
-/// 1 list in 250 is.
+/// below this, for eigenvalues a >> b, c of the covariance: 1 in 5 for (b + c) / a. Random neighbours on a surface form
+/// such a list in 1 of 250 cases.
 constexpr double kSureLine = 0.139;
-/// A list below this may be: trails of clumps, but also the border of a surface, and 1 in 10 random lists. It counts if
-/// those of an eighth of its neighbours do, and any list if those of a quarter do.
+/// A list below this may be on a line: trails of clumps are, but so are the border of a surface and 1 in 10 random
+/// lists. It counts as one if the lists of an eighth of its neighbours are also below it; any list counts if those of a
+/// quarter are.
 constexpr double kElongated = 0.2;
 constexpr std::size_t kPartForElongated = 8, kPartForAny = 4;
 
@@ -38,34 +39,37 @@ constexpr std::size_t kPartForElongated = 8, kPartForAny = 4;
 /// reason.
 constexpr float kFlatAroundLine = 0.1f, kFlatAroundClump = 0.2f;
 
-/// In noisy clouds, neighbours are in no plane above this misfit: the normal of 16 is then off by about
+/// In noisy clouds, neighbours with a larger misfit are in no plane: the normal of 16 of them is then off by about
 /// sqrt(0.1 / 16), 5 degrees.
 constexpr float kInNoPlane = 0.1f;
-/// Points around in noise are searched up to the level at which the misfit falls below this: normals of 24 are then off
-/// by about sqrt(0.05 / 24), 3 degrees. Over four levels, for noise of up to 8 list radii.
+/// In noise, the search for points around goes up to the level at which the misfit falls below this: normals of 24
+/// points are then off by about sqrt(0.05 / 24), 3 degrees. Searching four levels suffices for noise of up to 8 list
+/// radii.
 constexpr float kFlatInNoise = 0.05f;
 constexpr std::size_t kNoiseLevels = 4;
-/// At edges and in corners of rooms it is 0.25 to 0.45. That will do, and so will a border, if so many of the points
-/// around have found such a surface.
+/// Edges and corners of rooms have misfits of 0.25 to 0.45. Such a misfit is accepted, and so is a border, if this
+/// share of the points around have found a surface like that.
 constexpr float kCorner = 0.5f;
 constexpr double kShareOnSurface = 1.0 / 3;
-/// With fewer such points in the cloud, lists are replaced by chance: none are in corners.
+/// If fewer points of the cloud than this are in corners, their lists look that way by chance and none counts as in a
+/// corner.
 constexpr double kShareToCount = 1.0 / 50;
 
-/// A list is clumpy if its last neighbour is so many times as far as its sixth: 1.6 times on a surface, 2.7 on a line.
-/// At 3, 1 in 250 random lists is.
+/// A list is clumpy if its last neighbour is at least this many times as far away as its sixth: the ratio is 1.6 on a
+/// surface and 2.7 on a line. At 3, 1 in 250 random lists is clumpy.
 constexpr float kClumpy = 4;
 constexpr std::size_t kClumpSize = 6;
 
-/// Levels at which a point counts as isolated (ThinnedCloud): those whose cells are as wide as its list, and twice as
-/// wide: clumps of up to a hundred points. At coarser ones, small objects are clumps, and whole scans are lines.
+/// Levels at which a point counts as isolated (ThinnedCloud): those whose cells are as wide as its list, or twice as
+/// wide, which suits clumps of up to a hundred points. At coarser levels small objects would be clumps, and whole scans
+/// lines.
 constexpr std::size_t kIsolationLevels = 2;
 
 /// Representatives examined at a level: within 2.4 cell edges on a plane, so that there are two rings.
 constexpr std::size_t kExamined = 24;
 
-/// Widest empty angle around a point that is surrounded. Among 24 random points, it is above this for one in 10,000;
-/// at a border it is half a turn.
+/// Widest empty angle around a surrounded point. 24 random points exceed it once in 10,000; at a border the angle is
+/// half a turn.
 constexpr float kWidestGap = 2 * std::numbers::pi_v<float> / 3;
 
 /// Levels searched after the first one that spans a plane, for what fills the remaining gap: four times as far.
@@ -74,7 +78,7 @@ constexpr std::size_t kMoreLevels = 2;
 /// Every 16th list is enough for shares of a hundredth and quantiles, of more points than these.
 constexpr std::size_t kSampleStep = 16, kManyPoints = 16384;
 
-/// What is conspicuous about a point's nearest neighbours.
+/// What is suspicious about a point's nearest neighbours.
 enum class Suspicion : std::uint8_t {
     kUnsuspected,
     kMaybeLine, ///< they may be on a line
@@ -94,7 +98,8 @@ bool isElongated(const Moments& moments, double limit) {
     return invariant < limit * trace * trace;
 }
 
-/// Moments of a list, in float: that is enough to tell lines from planes, and takes a third of the time of momentsOf.
+/// Moments of a list, in float: that is precise enough to distinguish lines from planes, and takes a third of the time
+/// of momentsOf.
 Moments quickMoments(const NeighborLists& lists, const PointSet& points, std::size_t point) {
     const Vec3f from = points.positions[point];
     Vec3f sum = Vec3f::Zero();
@@ -123,12 +128,12 @@ Suspicion suspicionOf(const NeighborLists& lists, const PointSet& points, std::s
 
 /// Points around a point, in its plane.
 struct Around {
-    float misfit = 0;                  ///< of their plane; infinite if they are on a line
-    std::uint8_t flags = 0;            ///< ListFlag
-    float widest_gap = 0;              ///< angle
+    float misfit = 0;                  ///< misfit of their plane; infinite if they are on a line
+    std::uint8_t flags = 0;            ///< bits of ListFlag
+    float widest_gap = 0;              ///< an angle
     std::vector<std::uint32_t> points; ///< nearest first; those in different directions before the others
-    float reach = 0;                   ///< distance within which they leave no wider gap
-    bool keeps_spacing = false;        ///< their distance does not tell how wide discs must be
+    float reach = 0;                   ///< distance within which points already leave no wider gap
+    bool keeps_spacing = false;        ///< the distances do not say how wide discs must be
 };
 
 struct Direction {
@@ -136,7 +141,7 @@ struct Direction {
     std::uint32_t point = 0;
 };
 
-/// Finds the widest gap, and how far away the first points are that leave no wider one. At a border there is one wide
+/// Finds the widest gap, and the distance of the first points that leave no wider one. At a border there is one wide
 /// gap; on a line there are two.
 void measureGap(const std::vector<Direction>& directions, Around& around) {
     constexpr float kAsWide = 1.1f;
@@ -154,7 +159,7 @@ void measureGap(const std::vector<Direction>& directions, Around& around) {
     }
 }
 
-/// Takes the nearest points at least a tenth of a turn from each other, then the others.
+/// Takes the nearest points that are at least a tenth of a turn apart, then the others.
 void selectAround(const std::vector<Direction>& directions, Around& around) {
     constexpr float kApart = std::numbers::pi_v<float> / 5, kTurn = 2 * std::numbers::pi_v<float>;
     std::vector<Direction> taken;
@@ -176,7 +181,7 @@ void selectAround(const std::vector<Direction>& directions, Around& around) {
 /// How to search for the points around a point.
 struct SurroundPlan {
     Suspicion suspicion = Suspicion::kUnsuspected;
-    std::size_t level = 0; ///< the finest to search
+    std::size_t level = 0; ///< the finest level to search
     float least = 0;       ///< distance below which directions are noise
 };
 
@@ -217,8 +222,8 @@ Vec3f longestAxis(const Moments& moments) {
     return solver.eigenvectors().col(2).cast<float>();
 }
 
-/// Other points around a point, without those nearer than `least`, whose directions are noise. None if they do not fit
-/// their plane better than `misfit`: most points of crowns are searched around at all levels, and fit none.
+/// Other points around a point, except those nearer than `least`, whose directions are noise. Empty if the misfit of
+/// their plane exceeds `misfit`: most points of crowns are searched at all levels without finding a plane.
 Around SurroundSearch::examine(std::size_t point, std::span<const std::uint32_t> others, float least,
                                float misfit) const {
     Around around;
@@ -383,12 +388,12 @@ void SurroundSearch::turnAcross(std::size_t point, Around& around) const {
     around.points = std::move(chosen);
 }
 
-/// The points that surround a point, or those at a border; nothing if the nearest neighbours will do.
+/// The points that surround a point, or those at a border; empty if the nearest neighbours are good enough.
 std::optional<Around> SurroundSearch::surround(std::size_t point) {
     const SurroundPlan planned = plan(point);
     const auto [suspicion, first_level, least] = planned;
     if (suspicion == Suspicion::kUnsuspected) return {};
-    const bool searched_before = !found_before.empty(); // these two would find nothing again
+    const bool searched_before = !found_before.empty(); // these two would find nothing new
     if (suspicion == Suspicion::kInNoise) return searched_before ? std::nullopt : surroundInNoise(point, planned);
     if (suspicion == Suspicion::kOnOneSide) return searched_before ? std::nullopt : acrossGap(point, planned);
     const std::uint8_t flags = kThinned | (suspicion >= Suspicion::kInClump ? kClump : 0);
@@ -396,7 +401,7 @@ std::optional<Around> SurroundSearch::surround(std::size_t point) {
         around.flags = std::uint8_t(flags | (around.widest_gap < kWidestGap ? 0 : kOpen));
         return around.points.size() >= lists.k - lists.denseCount() && isBetter(around, suspicion);
     };
-    // In the first round, isBetter takes nothing else; in the second, corners.
+    // In the first round, isBetter accepts nothing else; in the second, also corners.
     const float misfit = found_before.empty() ? flatFor(suspicion) : kCorner;
     std::optional<Around> border;
     std::size_t end = thinned.levelCount();
@@ -414,7 +419,7 @@ std::optional<Around> SurroundSearch::surround(std::size_t point) {
     return border;
 }
 
-/// Puts the points around in place of the farther half of a list, nearest first.
+/// Replaces the farther half of a list by the points around, nearest first.
 void adopt(NeighborLists& lists, const PointSet& points, std::size_t point, const Around& around) {
     std::uint32_t* const list = &lists.indices[point * lists.k];
     std::uint32_t* const second_half = list + lists.denseCount();
@@ -429,15 +434,16 @@ void adopt(NeighborLists& lists, const PointSet& points, std::size_t point, cons
                std::pair(squaredDistance(points.positions[b], from), b);
     });
     std::copy(chosen.begin(), chosen.end(), list);
-    // Points around at a distance r, less than a third of a turn apart, bound a Voronoi cell of a radius of r at most.
-    constexpr float kSpacings = 2; // in the radius of a cell, at most (kCapSpacings in radii.cpp)
+    // If surrounding points at a distance r are less than a third of a turn apart, the Voronoi cell has a radius of at
+    // most r.
+    constexpr float kSpacings = 2; // most spacings in the radius of a cell (kCapSpacings in radii.cpp)
     if (!around.keeps_spacing) lists.spacings[point] = std::max(lists.spacings[point], around.reach / kSpacings);
     lists.thinned[point] = around.flags;
 }
 
-/// At a border, limits the spacing to that of the points around which are surrounded: those of other lines or clumps.
-/// If there are hardly any, the list was replaced by chance. Elsewhere a spacing is at most three times that of the
-/// points around: a point in the open, with dense parts around it, would become a plate.
+/// At a border, limits the spacing to that of the surrounded points around it: those of other lines or clumps. If there
+/// are hardly any, the list was replaced by chance. Elsewhere a spacing is at most three times that of the points
+/// around; otherwise a point in the open next to dense parts would become a plate.
 void limitSpacings(NeighborLists& lists, const PointSet& points) {
     constexpr std::size_t kFew = 2;
     constexpr float kWider = 3;
@@ -455,7 +461,7 @@ void limitSpacings(NeighborLists& lists, const PointSet& points) {
     });
 }
 
-/// Whether a list, several times as wide, would hold hardly more than a line or a clump.
+/// Whether a list would still contain hardly more than a line or a clump if it were several times as wide.
 bool isIsolated(const NeighborLists& lists, const PointSet& points, const NearestSearch& nearest, std::size_t point,
                 std::vector<std::uint32_t>& found) {
     // Within 4.5 radii of a list there are 20 times as many points as on it; a quarter of that at a corner, 4.5 times
@@ -473,7 +479,7 @@ bool isInNoPlane(const NeighborLists& lists, const PointSet& points, std::size_t
 }
 
 /// Whether the neighbours of a point are on one side of it: their mean is as far off as in half a disc (0.42 radii),
-/// but for chance. Of random neighbours all around, 1 list in 50 is.
+/// but for chance. 1 in 50 lists of random neighbours all around is.
 bool isOneSided(const NeighborLists& lists, const PointSet& points, std::size_t point) {
     constexpr float kOffCenter = 0.35f;
     return quickMoments(lists, points, point).mean.norm() > kOffCenter * lists.radius(points, point);
@@ -524,7 +530,7 @@ bool isBlurred(const NeighborLists& lists, const PointSet& points, const Nearest
 void countUnsurrounded(const NeighborLists& lists, const PointSet& points, const NearestSearch& nearest,
                        const std::vector<std::uint8_t>& inner, SurroundCounts& counts) {
     if (lists.k < kFewestToSurround) return;
-    constexpr std::size_t kIsolatedStep = 4; // of those that are sampled: it takes longer
+    constexpr std::size_t kIsolatedStep = 4; // every fourth of the sampled points, because this takes longer
     const std::size_t step = points.size() < kManyPoints ? 1 : kSampleStep;
     std::vector<std::uint32_t> found;
     for (std::size_t i = 0, sample = 0; i < points.size(); i += step, ++sample) {
@@ -545,8 +551,8 @@ Thinning thinningOf(SurroundCounts counts) {
     if (counts.sampled == 0) return {};
     // In random samples of a surface, 1 list in 80 is on a line, where thinning takes time and gains nothing.
     constexpr double kFewLists = 1.0 / 45, kFewIsolated = 1.0 / 50, kAllButFew = 0.02;
-    // In raw range scans, noise of half a spacing blurs up to a quarter of the lists and up to a fifteenth are at gaps.
-    // In merged frames of depth cameras and of moving lidars 58 to 77% are blurred, or many are on lines.
+    // In raw range scans, noise of half a spacing blurs up to a quarter of the lists, and up to a fifteenth are at
+    // gaps. In merged frames of depth cameras and of moving lidars 58 to 77% are blurred, or many are on lines.
     constexpr double kNoisyShare = 1.0 / 2, kGapShare = 1.0 / 20;
     const auto sampled = double(counts.sampled);
     const bool has_some =
@@ -570,7 +576,7 @@ void surroundNeighborhoods(NeighborLists& lists, const PointSet& points, const N
     const ThinnedCloud thinned(points, thinning.finest_cells);
     const std::vector<std::uint32_t> isolated = thinned.findIsolated();
     std::vector<std::uint32_t> hopeless(points.size());
-    // Made once: small arrays that come and go between those that stay leave memory in pieces.
+    // Allocated once: small arrays that are freed between long-lived ones would fragment memory.
     tbb::enumerable_thread_specific<std::vector<std::optional<NearestCache>>> caches(thinned.levelCount());
     const auto replaceLists = [&](std::span<const std::uint8_t> found_before, const StageShare& part) {
         forRanges(points.size(), part, [&](std::size_t begin, std::size_t end) {

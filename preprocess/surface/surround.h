@@ -22,7 +22,7 @@ struct SurroundCounts {
 void countUnsurrounded(const NeighborLists& lists, const PointSet& points, const NearestSearch& nearest,
                        const std::vector<std::uint8_t>& inner, SurroundCounts& counts);
 
-/// How a cloud is thinned, and whether for its lists, too.
+/// How a cloud is thinned, and whether its neighbour lists are searched again.
 struct Thinning {
     float finest_cells = 0;      ///< edge, input units: as wide as all but the smallest lists; 0: no thinned clouds
     bool replaces_lists = false; ///< false: hardly any list is to be replaced
@@ -31,12 +31,12 @@ struct Thinning {
 };
 Thinning thinningOf(SurroundCounts counts);
 
-/// Replaces the lists of points whose nearest neighbours do not surround them because they are on a line, as in the
-/// sweep of a lidar, or in a clump, as in merged frames of a sensor that stood still, and in noisy clouds those of
-/// points whose neighbours are in no plane, at the scale at which points around are in one. The nearer half stays, the
-/// other half are points around: of thinned clouds whose cells double in width, in which a clump counts as one point,
-/// until they leave no gap of a third of a turn. At a border, where a gap stays at four times the distance, and in
-/// corners, takes points many of which have such lists. Leaves lists for which there is no plane (a wire), and those at
+/// Replaces the farther half of the lists of points whose nearest neighbours do not surround them because they are on a
+/// line, as in the sweep of a lidar, or in a clump, as in merged frames of a stationary sensor. In noisy clouds also
+/// those of points whose neighbours are in no plane, at the scale at which the points around are in one. Replacements
+/// come from thinned clouds with cells that double in width, in which a clump counts as one point, until they leave no
+/// gap of a third of a turn. At a border, where a gap remains at four times the distance, and in corners, takes points
+/// many of which have such lists themselves. Leaves lists for which there is no plane (a wire), and those at
 /// borders of even samplings. Sets thinned and the spacings of these lists. Does nothing for fewer than 8 neighbours.
 /// @param thinning finest_cells in the unit of the points; 0: replaces no list
 void surroundNeighborhoods(NeighborLists& lists, const PointSet& points, const NearestSearch& nearest,

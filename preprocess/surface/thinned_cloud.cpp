@@ -17,7 +17,7 @@ namespace {
 /// A level with fewer representatives is the last: a point needs some in all directions.
 constexpr std::size_t kFewestRepresentatives = 32;
 
-/// In findIsolated.
+/// Representatives in a ring, for findIsolated.
 constexpr std::size_t kInRing = 12;
 constexpr float kAlone = 4.5f;
 /// Levels of fewer cells show the shape of the whole cloud.

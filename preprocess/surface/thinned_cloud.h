@@ -22,8 +22,8 @@ struct ThinnedLevel {
 /// Thinned levels of a cloud, finest first, each with cells twice as wide as those of the level before.
 class ThinnedCloud {
 public:
-    /// @param finest wanted edge of the finest cells, above 0; a power of two at most as large is used, so that the
-    /// cells do not depend on the scale of the points
+    /// @param finest requested edge of the finest cells, above 0; rounded down to a power of two, so that the cells do
+    /// not depend on the scale of the points
     ThinnedCloud(const PointSet& points, float finest);
 
     std::size_t levelCount() const { return levels_.size(); }
@@ -31,8 +31,8 @@ public:
     /// The finest level whose cells are at least this wide; levelCount() if all are narrower.
     std::size_t levelFor(float edge) const;
 
-    /// [points] bit n: the point's cell of level n has nothing around but a line at most. The 12th representative is
-    /// more than 4.5 cell edges away: 1.8 on a surface, 3.5 at a corner of one, 6 on a line.
+    /// [points] bit n: the point's cell of level n is surrounded by nothing, or only by a line. The 12th representative
+    /// is more than 4.5 cell edges away: 1.8 on a surface, 3.5 at a corner of one, 6 on a line.
     std::vector<std::uint32_t> findIsolated() const;
 
 private:

@@ -48,7 +48,7 @@ void VoronoiCell::cutOff(float limit) {
         if (from_beyond <= 0) clipped_.push_back(from);
         if ((from_beyond > 0) == (to_beyond > 0)) continue;
         const float share = from_beyond / (from_beyond - to_beyond);
-        // Where the outline leaves, the new edge is along the bisector; where it enters, the old edge continues.
+        // Where the outline leaves, a new edge along the bisector begins; where it enters, the old edge continues.
         const bool border_edge = from_beyond > 0 && from.border_edge;
         clipped_.push_back({from.place + share * (corners_[next].place - from.place), border_edge, false});
     }

@@ -77,7 +77,7 @@ std::vector<Vec3f> sidesOf(const BoxPoints& points) {
     return sides;
 }
 
-/// The same for all tiles: none decides for itself.
+/// One shape for all tiles: tiles must not decide for themselves.
 SplatShape splatShapeOf(const SetPlan& plan) {
     const SurfaceOptions& surface = plan.bake.surface;
     if (surface.splat != SplatShape::kAuto) return surface.splat;
@@ -107,9 +107,9 @@ std::vector<std::uint8_t> flagOwn(const Splats& splats, const std::vector<std::u
     return own;
 }
 
-/// Moves splats back to the core's border if cleaning moved them to where there is no tile, so that no ray would hit
-/// them, or into a tile of a coarser level, whose merged tiles would not find them in its file. Moves all of them back
-/// if the core would have none left, as then there would be no tile.
+/// Moves splats back to the core's border if cleaning moved them to a place without a tile, where no ray would hit
+/// them, or into a tile of a coarser level, whose merged tiles would not find them in its file. If this leaves the core
+/// empty, all of them are moved back, because there would be no tile otherwise.
 void keepInTiles(const TileTree& tree, const TileKey& tile, const std::vector<std::uint8_t>& own,
                  std::vector<PositionCode>& codes) {
     bool holds_one = false;

@@ -60,7 +60,7 @@ private:
     std::uint64_t buffered_ = 0;
     std::vector<std::unique_ptr<Bucket>> buckets_;
     std::vector<Vec3d> corners_; ///< [tiles]
-    // Of the current batch:
+    // The current batch:
     std::vector<std::uint32_t> tile_of_point_;
     std::vector<std::uint32_t> order_; ///< points within a tile, sorted by tile
     std::vector<char*> place_;         ///< [order] where to write each record

@@ -27,7 +27,7 @@ struct TileOptions {
 /// Folders of a bake.
 struct SetFolders {
     std::string set;    ///< NAME.proset, with its folder tiles
-    std::string splats; ///< of the splat files
+    std::string splats; ///< folder of the splat files
 };
 
 /// The tiles whose splat files a tile is made from: itself and its neighbours. In one order for the whole set, so that

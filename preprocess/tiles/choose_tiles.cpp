@@ -160,8 +160,8 @@ struct Splitter {
         tiles.push_back({level, {along(0), along(1), along(2)}, points, spacingOf(first, end, level)});
     }
 
-    /// Estimated from the area of a surface through cells wide enough to hold several points on average. Of narrower
-    /// cells many that the surface passes through are empty, and much narrower ones have a single point each.
+    /// Estimated from the area of a surface through cells wide enough to hold several points on average. If cells are
+    /// narrower, many of those that the surface passes through are empty, and the narrowest have a single point each.
     double spacingOf(std::size_t first, std::size_t end, std::uint32_t level) const {
         constexpr std::uint64_t kPointsEach = 4; // leaves 2% of the cells along a surface empty
         const std::uint64_t points = curve.before[end] - curve.before[first];

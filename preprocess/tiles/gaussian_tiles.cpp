@@ -28,7 +28,7 @@ bool isRotation(const Attribute& each) {
 
 Vec3f discNormal(const Vec3f& given) { return given.squaredNorm() > 0 ? given : Vec3f(Vec3f::UnitZ()); }
 
-/// Radius of the disc that readers without Gaussians show.
+/// Radius of the disc shown by readers that do not support Gaussians.
 float discRadius(float given, double edge) {
     const auto widest = static_cast<float>(kRadiusPerEdge * edge);
     return std::isfinite(given) ? std::clamp(given, std::numeric_limits<float>::min(), widest) : widest;
@@ -41,11 +41,12 @@ Attribute floatsOf(const char* name, std::uint32_t components, const std::vector
     return attribute;
 }
 
-/// The part of a position that its code leaves out.
+/// Adds the part of a position that its code rounds off.
 void addFraction(const TileSet& set, const TileKey& tile, const Vec3d& position, const PositionCode& code,
                  std::vector<float>& fractions) {
     const double step = edgeOf(set, tile.level) / kCoreSteps;
-    const Vec3d off = (position - positionOf(set, tile, code)) / step + Vec3d::Constant(0.5); // of the step's middle
+    // relative to the step's middle
+    const Vec3d off = (position - positionOf(set, tile, code)) / step + Vec3d::Constant(0.5);
     for (int axis = 0; axis < 3; ++axis) fractions.push_back(std::clamp(static_cast<float>(off[axis]), 0.0f, 1.0f));
 }
 

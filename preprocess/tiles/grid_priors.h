@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the range grid of a scan tells about its points. Tiles have no grids, so this is found while the scan is whole.
+// What the range grid of a scan reveals about its points. Tiles have no grids, so this is computed while the scan is
+// complete.
 #pragma once
 
 #include <cstdint>

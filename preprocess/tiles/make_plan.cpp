@@ -115,7 +115,7 @@ Cloud cloudOf(const std::vector<SamplePoint>& points, const SetPlan& plan) {
         cloud.sensors.push_back((*plan.scans[i].sensor - cloud.origin).cast<float>());
     }
     for (const SamplePoint& point : points) {
-        if (!plan.bounds.contains(point.position)) continue; // strays
+        if (!plan.bounds.contains(point.position)) continue; // skips strays
         cloud.positions.push_back((point.position - cloud.origin).cast<float>());
         if (plan.schema.normals) cloud.normals.push_back(point.normal);
         if (!cloud.sensors.empty()) cloud.sensor_of_point.push_back(sensor_of_scan[point.scan]);
@@ -166,7 +166,8 @@ void orient(const SetRequest& request, const Survey& survey, bool is_mesh, SetPl
         plan.sides.positions.emplace_back(splats.origin + position.cast<double>());
 }
 
-/// Finds up in what is opaque of Gaussians; the custom of their formats is a guess. They have no sides.
+/// Finds up from the opaque parts of the Gaussians; the convention of their formats is only a guess. Gaussians have no
+/// sides.
 void orientGaussians(const Survey& survey, SetPlan& plan) {
     plan.orient = OrientMode::kNone;
     if (plan.up_from == "option" || plan.up_from == "file") return;
@@ -222,7 +223,8 @@ void named(const SetRequest& request, const Work& work) {
 
 /// Thinning stores each occupied cell, in up to a quarter of the memory.
 void checkThinning(const SetRequest& request, std::uint64_t kept) {
-    constexpr std::uint64_t kBytesPerCell = 64; // of a table that is a quarter full, as just after growing
+    // bytes per cell of a table that is a quarter full, as it is just after growing
+    constexpr std::uint64_t kBytesPerCell = 64;
     if (request.read.filter.thin_spacing > 0 && kept > request.bake.max_memory / 4 / kBytesPerCell)
         throw Error(ExitCode::kCannotRun, fmt::format("{}: --thin keeps more points than fit in --max-memory; "
                                                       "raise it, or use --every",
@@ -243,8 +245,8 @@ StreamFindings surveyInputs(const SetRequest& request, const StreamOptions& opti
         progress);
 }
 
-/// Points that mark missing data are known once a file is read: where there are some, another pass decides without
-/// them. Colours are scaled as in single files, by the largest value of all points.
+/// Values that mark missing data are known only after a file has been read: if there are any, another pass leaves those
+/// points out. Colours are scaled as in single files, by the largest value of all points.
 StreamFindings surveyPointsWithData(const SetRequest& request, Survey& survey, const ReadProgress& progress) {
     StreamOptions options = streamOptionsOf(request);
     StreamFindings all = surveyInputs(request, options, survey, progress);

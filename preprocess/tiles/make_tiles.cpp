@@ -31,7 +31,7 @@ struct TileMaker {
     std::vector<LevelCoding> codings;
     TileOptions options;
     mutable PointBudget budget;
-    std::unique_ptr<SplatReaders> readers; ///< if splats are dropped
+    std::unique_ptr<SplatReaders> readers; ///< only if splats are dropped
 
     TileMaker(const SetPlan& plan, const std::string& metadata, std::size_t threads)
         : set(latticeOf(plan)), tree(treeOf(plan)), folders{plan.output, splatsFolder(plan)},
@@ -48,7 +48,7 @@ struct TileMaker {
     std::optional<SetTile> make(const TileKey& tile) const {
         if (auto row = findTileRow(folders, tile)) return row;
         const PointBudget::Reservation reservation =
-            budget.reserve(2 * splatsIn(folders.splats, {tile})); // neighbours add as many
+            budget.reserve(2 * splatsIn(folders.splats, {tile})); // neighbours add the same number again
         auto row = buildTile(set, tree, tile, codings, folders, options);
         if (readers) readers->tileIsMade(tile);
         return row;

@@ -22,7 +22,7 @@ constexpr std::uint64_t kMostPoints = 32'000'000;
 /// versa, and cleaning moved 800 others as a result.
 constexpr std::uint64_t kSamples = 1 << 16;
 
-/// All tiles, or every n-th from the first.
+/// All tiles, or every n-th tile from the first.
 std::vector<std::uint32_t> tilesToSample(const SetPlan& plan) {
     const std::uint64_t step = (plan.points + kMostPoints - 1) / kMostPoints;
     std::vector<std::uint32_t> tiles;

@@ -100,7 +100,7 @@ CutCloud cut(const BoxPoints& tile, const Place& place, std::size_t count) {
 /// Receives the results of each place that has a surface.
 using PlaceResult = std::function<void(const SurfaceReport&, const Splats&)>;
 
-/// Keeps so many samples, evenly, or all if there are no more.
+/// Keeps this many evenly spaced samples, or all if there are no more.
 void thin(surface::NoiseSamples& samples, double wanted) {
     double all = 0;
     for (const std::vector<float>& values : samples.over_spacing) all += static_cast<double>(values.size());
@@ -149,11 +149,11 @@ std::vector<Place> placesOf(const SetPlan& plan, const Sampling& sampling) {
     return places;
 }
 
-/// Measures all places. common_reach: see CloudStatistics.
+/// Measures all places. common_reach is that of CloudStatistics.
 void measurePlaces(const SetPlan& plan, const Sampling& sampling, SurfaceOptions options,
                    std::optional<float> common_reach, const PlaceResult& result) {
     options.orient = OrientMode::kUp;  // sides do not affect these statistics
-    options.splat = SplatShape::kDisc; // nor do balls
+    options.splat = SplatShape::kDisc; // balls do not affect them either
     options.radius_scale = 1;
     BoxPoints points;
     for (const Place& place : placesOf(plan, sampling)) {

@@ -16,9 +16,9 @@ namespace {
 /// on a sphere for a disc of half its radius.
 constexpr float kFlat = 0.25f;
 
-/// They lie side by side if their squared radii sum to at least this share of the covering one's. Of groups in a plane,
-/// sampled on a jittered grid or at random, 999 in 1000 exceed it; of discs spread at random in space, at least their
-/// width apart, one in a hundred.
+/// They lie side by side if their squared radii sum to at least this share of the covering one's. 999 in
+/// 1000 groups in a plane, sampled on a jittered grid or at random, exceed it; 1 in 100 groups of discs at random
+/// places in space, at least their width apart, does.
 constexpr float kSideBySide = 0.5f;
 
 /// Share of a member's radius that closes the surface: discs overlap by a factor of at least 1.2 (radii.cpp). Covering
@@ -52,8 +52,8 @@ Means meansOf(const MergeDiscs& discs, std::span<const std::uint32_t> members, b
             static_cast<float>(squares), static_cast<float>(squares - own / squares)};
 }
 
-/// Extent of the members: of the parts that close the surface, from the middle in the merged disc's plane, and of their
-/// discs off the plane.
+/// Extent of the members: in the merged disc's plane, the distance of the parts that close the surface from the middle;
+/// perpendicular to it, the distance of their discs from the plane.
 struct Extent {
     float along = 0, off = 0;
 };

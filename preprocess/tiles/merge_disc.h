@@ -12,7 +12,7 @@ namespace pointrt {
 
 /// Discs to be merged; any unit of length.
 struct MergeDiscs {
-    std::vector<Vec3f> positions, normals; ///< unit length; 0 for balls
+    std::vector<Vec3f> positions, normals; ///< normals have unit length; 0 for balls
     std::vector<float> radii;
 };
 

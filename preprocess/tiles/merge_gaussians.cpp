@@ -19,16 +19,16 @@
 namespace pointrt {
 namespace {
 
-/// Giants are so many times as long as the median Gaussian.
+/// Gaussians at least this many times as long as the median one are giants.
 constexpr double kGiant = 8;
 
-/// Radius of a disc for readers without Gaussians, as the readers of captures make it, in deviations.
+/// Radius of a disc for readers without Gaussian support, in standard deviations, as viewers of captures draw it.
 constexpr double kDiscDeviations = 2.2;
 
-/// Share of the merged area that the error is to cover, as of discs.
+/// The error covers this share of the merged area, as for discs.
 constexpr double kErrorShare = 0.95;
 
-/// Axes are at least this share of the longest, as in captures.
+/// Shortest allowed axis as a share of the longest one, as in captures.
 constexpr double kThinnest = 1.0 / 1024;
 
 using Floats = std::vector<const float*>; ///< [children] values of one attribute
@@ -76,7 +76,7 @@ Vec3d meanOf(const TileKey& parent, const TileKey& child, const PositionCode& co
     return mean;
 }
 
-/// Deviations and axes of a covariance, the shortest first.
+/// Standard deviations and axes of a covariance, the shortest first.
 struct Axes {
     Vec3d deviations;
     Eigen::Matrix3d directions; ///< columns, right-handed
@@ -142,7 +142,7 @@ private:
 
     float longest(std::size_t i) const { return vectorAt(values_.deviation, input_.sources[i]).maxCoeff(); }
 
-    /// Members of giants' own groups come last.
+    /// Giants, each in a group of its own, come last.
     void makeGroups(double share) {
         std::vector<float> lengths(moments_.size());
         for (std::size_t i = 0; i < lengths.size(); ++i) lengths[i] = longest(i);
@@ -194,7 +194,7 @@ private:
     Vec3d inCore(std::size_t g) const { return merged_[g].mean.cwiseMax(0).cwiseMin(1 - 0.5 / kCoreSteps); }
 
     double commonError() const {
-        std::vector<std::pair<double, double>> errors; // and areas
+        std::vector<std::pair<double, double>> errors; // errors and their areas
         double area = 0, reached = 0;
         for (std::size_t g = 0; g < merged_.size(); ++g) {
             errors.emplace_back(errors_[g], merged_[g].opacity * meanShadow(merged_[g].covariance));
@@ -270,9 +270,9 @@ private:
     const double edge_;
     const MergeInput input_;
     std::vector<SplatsView> views_;
-    std::vector<GaussianMoments> moments_, merged_; ///< [sources], [groups], in units of the edge
-    std::vector<double> errors_;                    ///< [groups] likewise
-    std::vector<std::uint32_t> first_, members_;    ///< as MergeGroups
+    std::vector<GaussianMoments> moments_, merged_; ///< of the sources and of the groups, in units of the edge
+    std::vector<double> errors_;                    ///< of the groups, in units of the edge
+    std::vector<std::uint32_t> first_, members_;    ///< see MergeGroups
     TileSplats splats_;
 };
 

@@ -21,7 +21,7 @@ MergeInput takeMergeInput(const TileKey& parent, const std::vector<MergeChild>& 
 /// Morton code of a place in the parent's core, [0, 1) on each axis.
 std::uint64_t curveCode(const Vec3f& place);
 
-/// The parent's code of such a place.
+/// The parent's position code of such a place.
 PositionCode codeAt(const Vec3f& place);
 
 } // namespace pointrt

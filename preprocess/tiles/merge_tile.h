@@ -16,7 +16,7 @@ constexpr double kMergedShare = 0.25;
 struct MergeChild {
     TileKey tile;
     SplatsView splats;
-    double error = 0; ///< TileSplats::error
+    double error = 0; ///< see TileSplats::error
 };
 
 /// The parent's own splats (merge_disc.h, merge_values.h). Its error, the distance of its surface from the original
@@ -29,8 +29,9 @@ struct MergeChild {
 TileSplats mergeSplats(const TileKey& parent, std::vector<MergeChild> children, const std::vector<Attribute>& schema,
                        double edge, std::uint64_t tile_splats, bool oriented);
 
-/// The same from files to a file. children: those with files. Throws Error.
-/// @param widest radius of original splats, input units
+/// Reads the children's files and writes the result to a file. Throws Error.
+/// @param children those that have files
+/// @param widest largest radius of original splats, input units
 void mergeTile(const std::string& folder, const TileKey& parent, const std::vector<TileKey>& children, double edge,
                std::uint64_t tile_splats, bool oriented, float widest = std::numeric_limits<float>::infinity());
 

@@ -28,7 +28,7 @@ const char* valueOf(const std::vector<SplatsView>& tiles, std::size_t attribute,
     return values.data + source.splat * values.bytes_each;
 }
 
-/// The value with the largest area; of equal ones the first.
+/// The value that covers the largest area; the first one of equals.
 void mergeCategorical(const std::vector<SplatsView>& tiles, std::size_t attribute, std::size_t bytes,
                       const MergeGroup& group, char* to) {
     float most = -1;
@@ -91,7 +91,7 @@ MergeNumber mergerOf(Scalar type) {
         return mergeNumber<double>;
     case Scalar::kI64:
     case Scalar::kU64:
-        break; // categorical
+        break; // categorical: not averaged
     }
     return nullptr;
 }

@@ -40,10 +40,10 @@ struct PlanAttribute {
 
 /// Values of each point in buckets, beside the position.
 struct PlanSchema {
-    bool normals = false, normal_sides = true; ///< as Cloud::normal_sides
+    bool normals = false, normal_sides = true; ///< normal_sides: as Cloud::normal_sides
     bool colors = false, radii = false;
-    bool noise = false;         ///< Cloud::noise
-    bool silhouettes = false;   ///< flagSilhouettes
+    bool noise = false;         ///< as Cloud::noise
+    bool silhouettes = false;   ///< see flagSilhouettes
     std::size_t scan_bytes = 0; ///< size of a scan number: 0 (there is one scan), 1, 2 or 4
     /// In the order of the files. kScanNumber, if selected, is the last one and not stored in records: it is the scan
     /// number.
@@ -68,8 +68,8 @@ struct PlanInput {
     double seconds = 0; ///< time of the first pass
 };
 
-/// A thinned sample of all points with oriented normals, which orients tiles that nothing else does. Empty if given
-/// normals, sensors or up decide.
+/// A thinned sample of all points with oriented normals. It orients tiles whose orientation nothing else decides; empty
+/// if given normals, sensors or up decide.
 struct PlanSides {
     std::vector<Vec3d> positions; ///< input coordinates
     std::vector<Vec3f> normals;   ///< unit length, pointing out
@@ -114,7 +114,7 @@ struct SetPlan {
     std::vector<PlanScan> scans;
     std::vector<PlanInput> inputs;
     WorldFrame world;               ///< up from the command line, a file or the sample
-    std::string up_from, up_reason; ///< as in BakeReport
+    std::string up_from, up_reason; ///< see BakeReport
     std::string source_header;
     std::vector<Note> notes;
 

@@ -114,7 +114,7 @@ PlanSchema schemaOf(const OrderedJson& json) {
     return schema;
 }
 
-/// What decides which points are left out.
+/// The properties that decide which points are left out.
 OrderedJson noDataJson(const std::vector<NoData>& no_data) {
     OrderedJson json = OrderedJson::array();
     for (const NoData& each : no_data)

@@ -7,7 +7,7 @@
 namespace pointrt {
 
 bool Sample::insert(const SamplePoint& point) {
-    constexpr double kMost = 0x1p41; // limit of CellSet; points beyond share cells
+    constexpr double kMost = 0x1p41; // limit of CellSet; points further away share cells
     const Vec3d cell = (point.position / edge_).array().floor().max(-kMost).min(kMost - 1);
     return cells_.insert(static_cast<std::int64_t>(cell.x()), static_cast<std::int64_t>(cell.y()),
                          static_cast<std::int64_t>(cell.z()));

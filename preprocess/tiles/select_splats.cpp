@@ -15,7 +15,7 @@ namespace pointrt {
 
 namespace {
 
-/// Clamps codes beyond the cube, which neighbours do not read, to its border.
+/// Clamps codes beyond the cube, which neighbours do not read, to the cube's border.
 std::uint64_t curveCode(const PositionCode& code) {
     const auto up = [](std::int32_t each) {
         return static_cast<std::uint64_t>(std::clamp(each + kRimSteps, 0, 2 * kCoreSteps - 1));

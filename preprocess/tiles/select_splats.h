@@ -6,14 +6,15 @@
 
 namespace pointrt {
 
-/// The splats whose flag in kept is 1, along a Morton curve, with radii limited to kRadiusPerEdge. Of splats at one
-/// position keeps the first that does not fill a gap, or the first one. Computes spacing; error is 0.
+/// The splats whose flag in kept is 1, along a Morton curve, with radii limited to kRadiusPerEdge. If
+/// several splats have the same position, keeps the first that does not fill a gap, or else the first one. Computes
+/// spacing; error is 0.
 /// @param attributes of the cloud's points, indexed by splats.input_index
 /// @param codes [splats], codeOf relative to the tile
 TileSplats selectSplats(const Splats& splats, const std::vector<Attribute>& attributes,
                         const std::vector<PositionCode>& codes, const std::vector<std::uint8_t>& kept, double edge);
 
-/// Indices of the codes along the same curve; none is left out.
+/// Indices of all codes along the same curve.
 std::vector<std::uint32_t> orderAlongCurve(const std::vector<PositionCode>& codes);
 
 /// [splats]

@@ -123,7 +123,7 @@ std::vector<AttributeRecord> recordsOf(const std::vector<Attribute>& attributes)
     return records;
 }
 
-/// Reads arrays one by one from the bytes of a file.
+/// Reads the arrays in a file's bytes one after another.
 class Taker {
 public:
     Taker(std::span<const std::byte> bytes, const std::string& path) : bytes_(bytes), path_(path) {}

@@ -30,7 +30,7 @@ struct SplatFileSummary {
     std::vector<SetAttribute> attributes; ///< with the ranges of this tile
 };
 
-/// FOLDER/L-X-Y-Z.splats.
+/// Returns FOLDER/L-X-Y-Z.splats.
 std::string splatFileOf(const std::string& folder, const TileKey& tile);
 
 /// Writes the file atomically. The same splats give the same bytes. Throws Error (kCannotWrite).
@@ -39,7 +39,7 @@ void writeSplats(const std::string& folder, const TileKey& tile, const TileSplat
 /// A memory-mapped file, whose size, checksum and tile have been checked.
 class SplatFile {
 public:
-    /// @param widest radius of original splats, input units: SplatsView::widest. Throws Error (kBadInput).
+    /// @param widest largest radius of original splats, input units: SplatsView::widest. Throws Error (kBadInput).
     SplatFile(const std::string& folder, const TileKey& tile, float widest = std::numeric_limits<float>::infinity());
 
     const SplatFileHead& head() const { return head_; }

@@ -101,7 +101,7 @@ bool isSplit(const SetPlan& plan) {
 void splitPoints(const SetPlan& plan, const SetRequest& request, const ReadProgress& progress,
                  const SplitOptions& options) {
     if (isSplit(plan)) return;
-    constexpr std::uint64_t kBufferShare = 8; // share of the memory
+    constexpr std::uint64_t kBufferShare = 8; // buffers get one part in this many of the memory
     BucketWriter writer(plan, plan.bake.max_memory / kBufferShare);
     const StreamFindings first_pass = findingsOf(plan);
     StreamOptions stream = streamOptionsOf(request);

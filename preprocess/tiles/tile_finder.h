@@ -24,7 +24,7 @@ private:
     int shift_;   ///< edge = grid * 2^shift
     std::array<std::int64_t, 3> origin_{};
     std::int64_t cells_;               ///< of level 0 along the root's edge
-    std::vector<std::uint64_t> codes_; ///< [tiles] Morton code of the lowest level-0 cell
+    std::vector<std::uint64_t> codes_; ///< [tiles] Morton code of each tile's lowest level-0 cell
     std::vector<std::uint64_t> spans_; ///< [tiles] number of codes
 };
 

@@ -11,7 +11,8 @@ namespace pointrt {
 
 namespace {
 
-/// A tenth of a tile's work is serial: two tiles keep two cores busy, and half as many tiles as cores keep all busy.
+/// A tenth of the work on a tile is serial: two tiles keep two cores busy, and half as many tiles as cores keep all of
+/// them busy.
 std::size_t lanesFor(std::size_t threads) { return threads < 2 ? 1 : std::max<std::size_t>(2, threads / 2); }
 
 } // namespace

@@ -31,7 +31,7 @@ public:
         std::uint64_t points_;
     };
 
-    /// Waits until the points are free. A request above the budget waits for all of it.
+    /// Waits until that many points are free. A request above the budget waits for the whole budget.
     Reservation reserve(std::uint64_t points);
 
 private:

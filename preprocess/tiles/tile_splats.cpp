@@ -14,7 +14,7 @@ namespace {
 
 using Squares = std::vector<double>;
 
-/// Squared distances, in steps, from one code to those around it in an order.
+/// Squared distances, in steps, from one code to a range of codes around it.
 void squaresAround(const std::vector<PositionCode>& sorted, std::size_t at, std::size_t window, Squares& squares) {
     squares.clear();
     const std::size_t begin = at - std::min(at, window), end = std::min(sorted.size(), at + window + 1);

@@ -44,7 +44,7 @@ struct SplatsView {
 };
 SplatsView viewOf(const TileSplats& splats);
 
-/// Marks the normal of a ball, where word 2 of SPLT has the highest bit of the material row.
+/// Flag of a ball in normal words, at the place where word 2 of SPLT has the highest bit of the material row.
 constexpr std::uint32_t kBallNormal = 1u << 31;
 
 /// Word 2 of SPLT with material row 0, and kBallNormal for balls. normal: any length; 0 for a ball

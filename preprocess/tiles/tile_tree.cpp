@@ -18,7 +18,7 @@ bool isBefore(const TileKey& a, const TileKey& b) {
     return isTileBefore(tile_a, tile_b);
 }
 
-/// Whether the core of a tile overlaps the cube of another of its level or a higher one.
+/// Whether the core of a tile overlaps the cube of another tile of the same or a higher level.
 bool overlapsCube(const TileKey& tile, const TileKey& around) {
     const std::uint32_t up = around.level - tile.level;
     for (std::size_t axis = 0; axis < 3; ++axis) {

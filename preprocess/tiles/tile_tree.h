@@ -26,8 +26,8 @@ public:
     std::optional<TileKey> originalAt(const TileKey& tile, const PositionCode& code) const;
 
     /// The other tiles whose splats may extend into this one's core, in TileSet's order. An original tile's neighbours
-    /// are the original tiles, of any level, whose cores overlap its cube. A merged tile's are those of its level and,
-    /// where there are none, original ones of higher levels.
+    /// are the original tiles, of any level, whose cores overlap its cube. A merged tile's neighbours are those of its
+    /// level and, where that level has none, original tiles of higher levels.
     std::vector<TileKey> neighborsOf(const TileKey& tile) const;
 
 private:

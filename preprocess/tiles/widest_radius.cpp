@@ -53,7 +53,7 @@ float findWidestRadius(const TileTree& tree, const std::string& splats_folder) {
 
 float widestRadius(const SetPlan& plan, const TileTree& tree) {
     if (plan.schema.radii)
-        return std::numeric_limits<float>::infinity(); // given radii are not limited: CloudStatistics
+        return std::numeric_limits<float>::infinity(); // given radii are not limited: see CloudStatistics
     if (const auto kept = readWidestRadius(plan)) return *kept;
     const float widest = findWidestRadius(tree, splatsFolder(plan));
     writeWidestRadius(plan, widest);

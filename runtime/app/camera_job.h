@@ -19,14 +19,13 @@ struct CameraPlan {
 };
 
 /// Reads options.cameras, creates the folder options.output, and sets options' picture size to that of the first
-/// picture, for the session. Warns on standard error, unless quiet, if distortion is dropped. Throws Error kBadInput as
+/// picture, for the session. Unless quiet, warns on standard error if distortion is dropped. Throws Error kBadInput as
 /// readCameraList and shotNames do, kBadUsage if --size contradicts the list or the list would be overwritten,
 /// kCannotWrite.
 CameraPlan planCameras(Options& options);
 
-/// Renders the plan's pictures one by one, then writes transforms.json with the finished ones: all unless interrupted.
-/// Throws Error kBadInput "PLACE: reason" for a camera too far from the scene, else as CameraSeries and
-/// writeCameraFiles do.
+/// Renders the plan's pictures one by one, then writes transforms.json with the finished ones. Throws Error kBadInput
+/// "PLACE: reason" for a camera too far from the scene, else as CameraSeries and writeCameraFiles do.
 void renderCameras(RenderSession& session, const CameraPlan& plan, const Options& options, Report& report);
 
 } // namespace pointrt

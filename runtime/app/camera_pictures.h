@@ -18,10 +18,10 @@ struct CameraFiles {
     std::string folder;
     CameraOutput output;
     double depth_unit = 0; ///< scene units per step of depth pictures
-    ToneMapping tone;      ///< of rgb; albedo has only its exposure
+    ToneMapping tone;      ///< tone mapping of rgb; albedo uses only its exposure
 };
 
-/// The keys of transforms.json and files, relative to the folder, of a picture of this name.
+/// The keys of transforms.json with the files of a picture of this name, as paths relative to the folder.
 std::vector<std::pair<std::string, std::string>> fileNames(const CameraOutput& output, const std::string& name);
 
 /// Writes the layers of film to their files, each atomically. film: with first hits, and for .exr with light

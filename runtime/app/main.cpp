@@ -71,7 +71,7 @@ void render(Options options) {
         writeReport(options.stats, json);
 }
 
-/// A device that hung, or whose driver was updated, may do better the second time.
+/// A device that hung or whose driver was updated may work on a second attempt.
 void renderOnceMoreIfLost(const Options& options) {
     try {
         return render(options);

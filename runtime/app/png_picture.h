@@ -27,8 +27,8 @@ struct PngPlan {
     std::optional<FilterPlan> filter;
     PictureOverlay overlay = {};
     Writing writing = Writing::kWhole;
-    std::optional<GeoReference> place = {}; ///< of a plan
-    bool is_panorama = false;               ///< a PNG says so, for viewers that show it all around
+    std::optional<GeoReference> place = {}; ///< place of a plan on its map
+    bool is_panorama = false;               ///< is recorded in PNGs, so that panorama viewers recognise them
 };
 
 class PngPicture {
@@ -50,10 +50,10 @@ private:
 
     PngPlan plan_;
     std::optional<PictureFilter> filter_;
-    std::unique_ptr<RowWriter> file_; ///< opened with the first row
+    std::unique_ptr<RowWriter> file_; ///< created with the first row
     std::vector<std::uint8_t> bytes_;
-    std::size_t written_ = 0; ///< rows
-    std::uint32_t rows_ = 0;  ///< received
+    std::size_t written_ = 0; ///< rows written
+    std::uint32_t rows_ = 0;  ///< rows received
     double filter_ms_ = 0, write_ms_ = 0;
 };
 

@@ -105,7 +105,7 @@ Film finishFilm(RenderSession& session, Film film, const Options& options, const
     return film;
 }
 
-/// Legend and measurements.
+/// The legend and the measurements to draw.
 PictureOverlay overlayOf(const RenderSession& session) {
     const LoadedScene& loaded = *session.loaded;
     const PixelSize size{session.settings.width, session.settings.height};

@@ -22,18 +22,19 @@ constexpr const char* kEncoder = "ffmpeg";
 
 fs::path folderOf(const Options& options) { return fs::path(options.output).parent_path(); }
 
-/// The video until it is whole.
+/// The path of the video while it is incomplete.
 std::string partOf(const Options& options) {
     return (folderOf(options) / ("video" + fs::path(options.video).extension().string())).string();
 }
 
-/// Qualities at which x264 and VP9 are hardly told from the pictures.
+/// Qualities at which x264 and VP9 videos can hardly be distinguished from the pictures.
 Words codecOf(const std::string& video) {
     if (video.ends_with(".webm")) return {"-c:v", "libvpx-vp9", "-crf", "24", "-b:v", "0", "-row-mt", "1"};
     return {"-c:v", "libx264", "-crf", "18", "-movflags", "+faststart"};
 }
 
-/// All players show 4:2:0, which needs even sides. Pictures are sRGB, which ffmpeg would take for a smaller gamut.
+/// All players show 4:2:0, which needs even sides. Pictures are sRGB; untagged, ffmpeg would take them for limited
+/// range.
 Words encoderArguments(const Options& options, const std::string& encoder) {
     Words words{encoder, "-nostdin", "-hide_banner", "-loglevel",
                 "error", "-y",       "-framerate",   std::to_string(options.fps)};

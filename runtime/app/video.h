@@ -12,12 +12,12 @@ namespace pointrt {
 /// The path of ffmpeg, to be called before long work. Throws Error kCannotRun if PATH has none.
 std::string findEncoder(const std::string& video);
 
-/// Makes the folder of options.output, the pictures of options.video, without the pictures of an earlier run. Throws
-/// Error kCannotWrite "PATH: reason".
+/// Creates the folder of options.output for the pictures of options.video, and deletes the pictures of an earlier run.
+/// Throws Error kCannotWrite "PATH: reason".
 void prepareVideo(const Options& options);
 
-/// Encodes all pictures and deletes them. If that fails they remain: throws Error kCannotRun with ffmpeg's words and
-/// their folder. If interrupted they remain, too.
+/// Encodes all pictures, then deletes them. If encoding fails, keeps them and throws Error kCannotRun with ffmpeg's
+/// message and their folder. If interrupted, keeps them too.
 void encodeVideo(const Options& options, const std::string& encoder);
 
 } // namespace pointrt

@@ -37,9 +37,9 @@ struct InstanceSet {
 /// A .pro, however many instances it has.
 struct InstanceFile {
     std::string path;
-    std::uint32_t set = 0; ///< of a tile: in InstanceList::sets
+    std::uint32_t set = 0; ///< for a tile: its set, in InstanceList::sets
     std::uint32_t tile = kNoTile;
-    std::uint64_t bytes = 0;              ///< of a tile, according to its set
+    std::uint64_t bytes = 0;              ///< for a tile: its size according to its set
     std::vector<std::uint32_t> instances; ///< in InstanceList::instances
 };
 
@@ -47,9 +47,9 @@ struct InstanceFile {
 struct InstanceRun {
     std::uint32_t first = 0, count = 0;
     std::optional<std::uint32_t> set; ///< in InstanceList::sets
-    std::vector<HalfSpace> kept;      ///< what clips keep of it; empty: all
+    std::vector<HalfSpace> kept;      ///< half-spaces that clips keep of it; empty: all of it
     std::vector<FilterDescription> filters;
-    std::optional<Vec3> up; ///< for heights; none: the scan's
+    std::optional<Vec3> up; ///< up direction for heights; none: the scan's
 };
 
 struct InstanceList {

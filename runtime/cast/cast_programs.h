@@ -15,7 +15,7 @@ namespace pointrt {
 /// (given_rays.glsl) where takesGiven allows it (runtime/cast/given_rays.h).
 enum class RayForm { kPacked, kFloats, kDoubles };
 
-/// What a pair of programs is specialised for.
+/// The traits that a pair of programs is specialised for.
 struct CastKind {
     InstanceTraits traits;
     RayForm form = RayForm::kPacked;

@@ -12,7 +12,7 @@
 namespace pointrt {
 namespace {
 
-/// Rays per task of a thread where each ray is little work.
+/// Rays per task of a thread for steps that take little time per ray.
 constexpr std::size_t kFewRays = 1u << 14;
 
 /// Calls work(i) for i < count on all cores.

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Traces rays from instance to instance. Each ray visits the instances whose boxes it enters, nearest first, until it
 // has a hit before the next box begins. Rays that wait for the same instance are traced together. So each ray visits
-// few instances, however many there are, and of those not resident the ones that most rays wait for are loaded.
+// few instances, however many there are. Instances that are not resident are loaded in the order of the number of rays
+// that wait for them.
 #pragma once
 
 #include <cstdint>

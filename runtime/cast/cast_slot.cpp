@@ -18,11 +18,11 @@ Buffer hostTexels(Device& device, const char* what, std::uint64_t row_bytes, VkF
     return buffer;
 }
 
-/// A pool of descriptor sets for a number of runs.
+/// A descriptor pool with sets for a number of runs.
 struct SetPool {
     SetPool(Device& on, std::size_t runs)
         : device(on), handle(createDescriptorPool(on, 2 * static_cast<std::uint32_t>(runs))) {
-    } // the second set is for pages
+    } // the second set is for further pages
     ~SetPool() { destroyDescriptorPool(device, handle); }
     SetPool(const SetPool&) = delete;
     SetPool& operator=(const SetPool&) = delete;

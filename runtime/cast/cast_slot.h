@@ -46,7 +46,7 @@ struct CastSlot {
 CastSlot createSlot(Device& device);
 void destroySlot(CastSlot& slot);
 
-/// Traces a caller's rays in the buffer rays against one instance. Returns when the results are in the slot.
+/// Traces a caller's rays, which the buffer rays holds, against one instance. Returns when the results are in the slot.
 /// @param form not kPacked
 void traceRows(CastSlot& slot, CastPrograms& programs, const ResidentInstance& instance, const Buffer& rays,
                RayForm form, const gpu::GivenPush& push, bool any_hit);

@@ -17,7 +17,7 @@ namespace {
 
 /// Margin of a tile's core in position steps: twice the rounding margin of setCoreBox.
 constexpr double kBoxSteps = 8;
-/// How far the quantised discs of cells extend beyond the original discs, in radii: at most a hundredth, with margin.
+/// How far the quantised discs of cells may extend beyond the original discs, in radii: a hundredth, plus a margin.
 constexpr double kRoundedRadii = 1.0 / 32;
 
 /// The part of the discs' box, grown by margin, that is inside the core.
@@ -146,7 +146,7 @@ private:
         return found->second;
     }
 
-    SceneDescription given_; ///< clips and filters besides those of scene files
+    SceneDescription given_; ///< clips and filters given in addition to those of scene files
     InstanceList list_;
     std::unordered_map<std::string, std::uint32_t> files_, sets_;
 };

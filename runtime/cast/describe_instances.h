@@ -13,7 +13,7 @@ namespace pointrt {
 /// checks the headers of their original tiles against them. Does not open other files: their boxes are set when they
 /// are loaded. Throws Error kBadUsage without paths or with more than MAX_CLIP_PLANES planes of clips, kBadInput if a
 /// scene file, set or tile is invalid.
-/// @param clips cut all instances but those that scene files leave whole, besides the clips of these files
+/// @param clips applied in addition to those of scene files, to all instances but those that scene files exempt
 /// @param filters hide splats, besides those that the filters of these files hide
 InstanceList describeInstances(const std::vector<std::string>& paths, const std::vector<ClipDescription>& clips = {},
                                const std::vector<FilterDescription>& filters = {});

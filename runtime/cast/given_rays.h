@@ -12,8 +12,8 @@
 
 namespace pointrt {
 
-/// Whether this works: the device has 64-bit floats, and the instance is an unmoved file whose buffers have one page
-/// each.
+/// Whether given rays can be used: the device has 64-bit floats, the instance is a file with the identity transform,
+/// and each of its buffers has one page.
 bool takesGiven(const Device& device, const ResidentInstance& instance);
 
 /// A caller's rays for programs to read: imported from the caller's memory if the device can, otherwise copied to the
@@ -41,7 +41,7 @@ private:
 
     Device& device_;
     RayRows rays_;
-    Buffer imported_;        ///< begins with the page that the rays begin in
+    Buffer imported_;        ///< begins with the page in which the rays begin
     std::size_t offset_ = 0; ///< of the first ray in imported_, bytes
 };
 
@@ -50,7 +50,7 @@ private:
 /// with CastRounds.
 bool putGiven(const CastSlot& slot, const InstanceList& list, const RayRows& rays, std::size_t first, std::size_t count,
               const HitArrays& arrays);
-/// Likewise, whether each ray is occluded.
+/// The same for occlusion: whether each ray is occluded.
 bool putOccluded(const CastSlot& slot, std::span<std::uint8_t> occluded);
 
 } // namespace pointrt

@@ -11,7 +11,7 @@
 
 namespace pointrt {
 
-/// In place of an instance's number: a miss, or a shape of a scene file, whose number is in splat.
+/// Values in place of an instance's number: a miss, or a shape of a scene file, whose number is then in splat.
 constexpr std::uint32_t kNothing = 0xFFFFFFFFu, kShape = 0xFFFFFFFEu;
 
 /// The hit of a ray.
@@ -22,7 +22,7 @@ struct RayHit {
     std::uint32_t normal = 0; ///< encoded as in the words of a splat
 };
 
-/// The hit that the device found in an instance, clamped to limits; `otherwise` for a miss.
+/// The hit that the device found in an instance, with t clamped to limits; `otherwise` for a miss.
 RayHit hitOf(const gpu::CastHit& found, std::uint32_t instance, const RayStart& start, const RayLimits& limits,
              const RayHit& otherwise);
 

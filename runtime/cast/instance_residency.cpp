@@ -21,13 +21,13 @@
 namespace pointrt {
 namespace {
 
-/// Device allocations of a tile: sections, grid, noise, parameters, and a few for further pages.
+/// Device allocations per tile: sections, grid, noise, parameters, and a few for further pages.
 constexpr std::size_t kTileAllocations = 16;
 
 /// Margin around a file's box as a share of its size, larger than the rounding errors of the box tests.
 constexpr double kFileMargin = 1e-4;
 
-/// What the rays of a file may meet, cube units: the discs in its entry grid, or its Gaussians.
+/// The box of everything that rays can hit in a file, in cube units: the discs in its entry grid, or its Gaussians.
 CubeBox reachOf(const DeviceScan& scan) {
     if (scan.is_gaussian) return scan.gaussian_box;
     const double cell = std::ldexp(1.0, static_cast<int>(scan.index.shift) - PRO_POSITION_BITS);
@@ -39,7 +39,7 @@ CubeBox reachOf(const DeviceScan& scan) {
     return box;
 }
 
-/// A box in world units around all that rays may meet, with a margin.
+/// A box in world units around everything that rays can hit, with a margin.
 Bounds boxOf(const DeviceScan& scan, const Placement& placement) {
     const CubeBox reach = reachOf(scan);
     double longest = 0;
@@ -208,7 +208,7 @@ void InstanceResidency::refuseTile(std::uint64_t bytes) const {
                 "one tile needs " + shown.size + " but the limit is " + shown.limit + ": allow more memory");
 }
 
-/// The splats that filters leave of an instance; none: all.
+/// The splats of an instance that filters show; none: all.
 std::optional<PaintedSplats> InstanceResidency::filtered(const CastInstance& instance, const DeviceScan& scan) {
     const InstanceRun& run = list_.scene_instances[instance.scene_instance];
     InstanceDescription described;
@@ -221,7 +221,7 @@ std::optional<PaintedSplats> InstanceResidency::filtered(const CastInstance& ins
     return paintScan(device_, scan, paint);
 }
 
-/// Refuses filters by what no scan has. Tiles have the attributes of their set.
+/// Refuses filters by an attribute that no scan has. Tiles have the attributes of their set.
 void InstanceResidency::requireFiltered() const {
     for (const InstanceRun& run : list_.scene_instances)
         for (const FilterDescription& filter : run.filters)

@@ -20,20 +20,20 @@
 
 namespace pointrt {
 
-/// The render space that rays are packed in, and what they can hit there.
+/// The render space that rays are packed in, and the box of what they can hit there.
 struct RayFrame {
     RenderSpace space;
     Vec3 low, high; ///< a box around everything that can be hit, render units
 };
 
-/// An instance on the device. It has a render space of its own, so that floats are equally precise wherever it lies.
+/// An instance on the device. It has its own render space, so that floats are equally precise wherever it lies.
 struct ResidentInstance {
     const DeviceScan* scan = nullptr;
     RayFrame frame;
     InstanceTraits traits;
-    bool in_cube = false;                 ///< its render space is its cube, exactly
+    bool in_cube = false;                 ///< its render space is exactly its cube
     Buffer params;                        ///< gpu::InstanceParams
-    std::optional<PaintedSplats> painted; ///< without what filters hide
+    std::optional<PaintedSplats> painted; ///< its splats without those that filters hide
 };
 
 class InstanceResidency;
@@ -43,7 +43,7 @@ std::uint64_t splatCount(const InstanceResidency& resident);
 /// Not thread-safe, except that const members may be called from several threads while no other member runs.
 class InstanceResidency {
 public:
-    /// Loads all files, and the tiles if all of them fit. Sets the boxes of list.
+    /// Loads all files, and the tiles if all of them fit. Sets the boxes in list.
     /// @param device outlives this
     /// @param memory limit for the tiles, bytes in files and on the device
     /// Throws Error: kBadInput "FILE: reason"; kBadUsage if a tile exceeds the limit; kCannotRun if the device is too
@@ -96,7 +96,8 @@ private:
     std::vector<std::optional<std::uint32_t>> slots_;       ///< in resident_, of each of list_.files
     std::vector<std::uint32_t> files_;                      ///< in list_.files, of each slot of resident_
     std::vector<std::unique_ptr<ResidentInstance>> placed_; ///< of list_.instances
-    double growth_ = 1; ///< largest ratio so far of a tile's bytes to its file's: more than 1 if its index was built
+    /// Largest ratio so far of a tile's bytes on the device to its file's: above 1 if its index was built.
+    double growth_ = 1;
     std::atomic<std::uint64_t> tile_loads_{0}, device_bytes_{0};
 };
 

@@ -66,7 +66,7 @@ BoxEntry InstanceTree::next(const Line& line, const BoxEntry& after, double t_ma
         const std::uint32_t number = later[--waiting];
         const Node& node = nodes_[number];
         const RayInterval in = clipToBox({line.t_min, best.t}, line.origin, line.inverse, node.box.lo, node.box.hi);
-        if (in.isEmpty() || in.to < after.t) continue; // every entry inside was passed
+        if (in.isEmpty() || in.to < after.t) continue; // its entries were all found before
         if (node.count > 0) {
             nextOfLeaf(node, line, after, best);
         } else { // the nearer child first, which ends the search sooner

@@ -12,7 +12,8 @@
 
 namespace pointrt {
 
-/// Converts the t of a hit on the device to the ray's: t + per_unit * hit, in lengths of the ray's direction.
+/// Converts the t of a hit on the device to the ray's: t + per_unit * (t of the hit), in lengths of the ray's
+/// direction.
 struct RayStart {
     double t = 0;        ///< where the packed ray starts
     double per_unit = 0; ///< lengths per render unit

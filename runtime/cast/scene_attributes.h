@@ -22,14 +22,14 @@ struct HitIds {
     std::span<const std::uint32_t> tiles; ///< may be empty if the scene has no sets
 };
 
-/// As TraceScene::readAttribute. Loads the tiles that were hit, after reading the resident ones.
+/// Implements TraceScene::readAttribute. Reads the resident tiles that were hit, then loads the others.
 void gatherAttribute(InstanceResidency& resident, const std::string& name, const HitIds& ids,
                      std::span<std::byte> values);
 
-/// As TraceScene::readColors. Loads tiles likewise.
+/// Implements TraceScene::readColors. Loads tiles in the same way.
 void gatherColors(InstanceResidency& resident, const HitIds& ids, std::span<std::uint8_t> colors);
 
-/// As TraceScene::metresPerUnit.
+/// Implements TraceScene::metresPerUnit.
 double metresPerUnit(const InstanceResidency& resident);
 
 } // namespace pointrt

@@ -15,7 +15,7 @@ namespace pointrt {
 /// Thread-safe.
 class SlotPool {
 public:
-    /// @param create is called when all slots are in use and there are fewer than most
+    /// @param create is called if all slots are in use and there are fewer than `most`
     SlotPool(std::size_t most, std::function<CastSlot()> create) : most_(most), create_(std::move(create)) {}
     ~SlotPool();
     SlotPool(const SlotPool&) = delete;

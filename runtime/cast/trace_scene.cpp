@@ -27,7 +27,7 @@ namespace {
 /// more; beyond four, slots only take memory.
 std::size_t slotCount() { return std::clamp(std::thread::hardware_concurrency(), 2u, 4u); }
 
-/// Rays traced from instance to instance at once, 52 bytes each. The more, the less often tiles are reloaded.
+/// Rays traced from instance to instance at a time; each takes 52 bytes. More rays reload tiles less often.
 constexpr std::size_t kBatchRays = std::size_t{1} << 20;
 
 std::vector<ClipDescription> clipsOf(const SceneOptions& options) {
@@ -55,7 +55,7 @@ std::vector<FilterDescription> filtersOf(const SceneOptions& options) {
     return filters;
 }
 
-/// Reads the scene. Refuses shapes with more than 254 instances, as they take an instance number, too.
+/// Reads the scene. With shapes, refuses more than 254 instances: the shapes take an instance number, too.
 InstanceList described(const std::vector<std::string>& paths, const SceneOptions& options) {
     InstanceList list = describeInstances(paths, clipsOf(options), filtersOf(options));
     if (!list.shapes.empty() && list.scene_instances.size() >= kShapesInstance)
@@ -77,7 +77,7 @@ struct TraceScene::State {
           resident(device.worker, described(paths, options), options.memory), tree(boxesOf(resident.list())),
           slots(slotCount(), [this] { return createSlot(device.worker); }) {}
 
-    /// Whether rays need not be traced from instance to instance.
+    /// Whether the scene is one instance, so that rays need not go from instance to instance.
     bool isOneInstance() const {
         return resident.isComplete() && resident.list().instances.size() == 1 && resident.list().shapes.empty();
     }
@@ -119,7 +119,8 @@ struct TraceScene::State {
                    const std::size_t first = k * most, count = std::min(most, rays - first);
                    bool done = false;
                    slots.with([&](CastSlot& slot) { done = trace(slot, first, count); });
-                   if (!done) castAndPut(request, first, count, put); // after the slot is free: it takes slots itself
+                   // after the slot is released, since it takes slots itself
+                   if (!done) castAndPut(request, first, count, put);
                },
                slots.most());
     }

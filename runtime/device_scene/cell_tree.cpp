@@ -54,13 +54,13 @@ private:
         if (cell < cells_.size()) cells_[cell] = {middle(place.x), middle(place.y), middle(place.z), place.edge};
     }
 
-    /// Groups are numbered on from the words of the bricks.
+    /// Words number groups after the bricks.
     void addGroup(std::uint32_t word, const Place& place) {
         const std::size_t first = std::size_t{word >> PRO_CELL_INDEX_SHIFT} * PRO_GROUP_WORDS;
         const std::size_t bricks = std::size_t{index_.brick_count} * PRO_BRICK_WORDS;
         const bool exists = first >= bricks && (first - bricks) / PRO_GROUP_WORDS < index_.group_count;
         if (!exists || groups_left_ == 0) return;
-        --groups_left_; // each is named once
+        --groups_left_; // each is named only once
         for (std::uint32_t k = 0; k < PRO_GROUP_WORDS; ++k) addCell(index_.bricks[first + k], partOf(place, k, 2));
     }
 
@@ -69,7 +69,7 @@ private:
     std::uint32_t groups_left_;
 };
 
-/// As far around a cell as the walk's look-ahead of a position step, and rounding, may take a ray.
+/// How far the walk's look-ahead of one position step, and rounding, may take a ray out of a cell.
 constexpr float kMarginSteps = 1.5f;
 
 std::vector<VkAabbPositionsKHR> boxesOf(const std::vector<gpu::vec4>& cells, float margin) {

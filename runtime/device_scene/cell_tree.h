@@ -22,7 +22,7 @@ struct CellTree {
 /// Indices out of range and groups in circles, in a damaged file, are skipped.
 std::vector<gpu::vec4> cellsOf(const pro_index& index);
 
-/// Whether the device can hold the tree of a scan with so many cells.
+/// Whether the device can hold the tree of a scan with this many cells.
 bool fitsCellTree(const Device& device, std::uint32_t cells);
 
 /// Builds the tree of an index in host memory. Throws Error kCannotRun if out of memory.

@@ -18,8 +18,8 @@ gpu::vec4 inCube(const HalfSpace& kept, const Placement& placement, const pro_in
                 dot(kept.normal, kept.point - cube_origin) / (placement.scale * frame.scale));
 }
 
-/// Whether a half-space may cut anything of an instance. False if all corners of its bounds are inside, farther from
-/// the plane than discs reach out of the bounds. Gaussians reach farther.
+/// Whether a half-space may cut anything of an instance. False if all corners of its bounds are inside the half-space,
+/// farther from the plane than discs can extend beyond the bounds. Gaussians extend farther.
 bool mayCut(const HalfSpace& kept, const Placement& placement, const DeviceScan& file) {
     if (file.is_gaussian) return true;
     const Bounds bounds = placedBounds(placement, file.info);

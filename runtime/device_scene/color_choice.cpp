@@ -16,7 +16,7 @@
 namespace pointrt {
 namespace {
 
-/// Share of the numbers that the range excludes at each end.
+/// Share of the values that is cut off at each end of the range.
 constexpr double kExtremes = 0.01;
 /// Integers in a range of at most this width are shown without excluding extremes.
 constexpr double kSmallRange = 255;
@@ -41,7 +41,7 @@ ValueRange rangeWithoutExtremes(const std::vector<PlacedScan>& scans, const Scan
     return {*low, *high};
 }
 
-/// The range with 0 in the middle that holds both ends.
+/// The range centred on 0 that contains both ends.
 ValueRange aroundZero(ValueRange range) {
     const double most = std::max(std::abs(range.low), std::abs(range.high));
     return {-most, most};
@@ -70,7 +70,8 @@ std::vector<LegendTick> integerTicks(ValueRange range) {
     for (int k = 0; k <= kFewIntegers && first + k <= range.high; ++k) {
         char text[32]; // at most 20 digits
         std::snprintf(text, sizeof text, "%.0f", first + k);
-        if (!ticks.empty() && ticks.back().text == text) break; // doubles are further apart than integers here
+        // here, adjacent doubles are further apart than integers
+        if (!ticks.empty() && ticks.back().text == text) break;
         ticks.push_back({width > 0 ? (first + k - range.low) / width : 0.5, text});
     }
     return ticks;
@@ -78,7 +79,7 @@ std::vector<LegendTick> integerTicks(ValueRange range) {
 
 /// The integers in the scans, for categorical colour maps.
 std::vector<double> categoriesOf(const std::vector<PlacedScan>& scans, const ScanNumbers& sources) {
-    constexpr std::size_t kMost = 4096; // more are not categories
+    constexpr std::size_t kMost = 4096; // a longer list is not one of categories
     std::set<double> found;
     double last = std::nan("");
     for (std::size_t i = 0; i < scans.size(); ++i) {
@@ -142,7 +143,7 @@ ColorChoice normalColors(const std::vector<PlacedScan>& scans) {
     return choice;
 }
 
-/// "a.pro has", or "the scans have" for several.
+/// Subject of a message: "a.pro has", or "the scans have" for several.
 std::string namesOf(const std::vector<PlacedScan>& scans) {
     const auto is_first = [&](const PlacedScan& scan) { return scan.instance->path == scans[0].instance->path; };
     return std::all_of(scans.begin(), scans.end(), is_first) ? scans[0].instance->path + " has" : "the scans have";

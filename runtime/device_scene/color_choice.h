@@ -12,7 +12,7 @@
 
 namespace pointrt {
 
-/// Names for what every scan has without attributes: heights and normals.
+/// Names of numbers that every scan has even without attributes: heights and normals.
 inline constexpr const char* kHeight = "height";
 inline constexpr const char* kNormal = "normal";
 /// The attribute that pointrt-rays compare adds: signed distances from another surface.
@@ -30,12 +30,12 @@ ColorChoice chooseColors(const std::vector<PlacedScan>& scans, const PaintReques
 /// @param up unit vector
 std::optional<SplatNumbers> numbersFor(const PlacedScan& scan, const std::string& word, Vec3 up);
 
-/// What filters select of a scan: those that hide splats, as far as it has their attributes.
+/// Which splats of a scan the filters hide. Filters by attributes that the scan does not have hide nothing.
 std::vector<SplatOverride::OfNumbers> selectionsOf(const PlacedScan& scan,
                                                    const std::vector<FilterDescription>& filters, Vec3 up);
 
 /// "NAMES have no attribute "WORD", did you mean ...? Available: ...".
-/// @param besides names to list before the attributes
+/// @param besides further names to list, before those of the attributes
 std::string lackText(const std::vector<PlacedScan>& scans, const std::string& word,
                      const std::vector<std::string>& besides);
 

@@ -8,7 +8,7 @@
 namespace pointrt {
 namespace {
 
-/// A side of a cell: the low or the high face along an axis.
+/// A face of a cell: the low or the high one along an axis.
 struct Side {
     std::size_t axis = 0;
     bool high = false;
@@ -29,7 +29,7 @@ public:
     }
 
 private:
-    /// The tile of the cut that contains a cell.
+    /// The tile of the cut that contains a cell, if any.
     std::optional<std::uint32_t> coveredBy(std::uint32_t level, TileCell cell) const {
         for (; level < set_.levels.size(); ++level, cell = parentOf(cell)) {
             const auto tile = findTile(set_, level, cell);

@@ -59,7 +59,7 @@ double unseenFactor(const TileBox& core, const CutView& view) {
     return isInPicture(core, view) ? 1 : kUnseenPixelScale;
 }
 
-/// Whether all hits of a tile are cut away. Its discs may reach out of the core, by less than half an edge.
+/// Whether clips remove all hits of a tile. Its discs may extend out of the core, by less than half an edge.
 bool isCutAway(const TileBox& core, const std::vector<HalfSpace>& kept) {
     constexpr double reach = 0.5;
     TileBox around = core;
@@ -139,7 +139,7 @@ private:
         return true;
     }
 
-    /// The first tile of the cut around this one that is of a higher level and has children.
+    /// A tile of the cut that touches this one, is of a higher level and has children; none if there is none.
     std::optional<std::uint32_t> coarserNeighbor(std::uint32_t number) const {
         const SetTile& tile = set_.tiles[number];
         for (int place = 0; place < 27; ++place) {
@@ -186,7 +186,7 @@ bool isInPicture(const TileBox& box, const CutView& view) {
     const double right = up * view.aspect;
     const PlaneNormals normals = normalsOf(camera);
     if (farthestAlong(box, camera.eye, normals.forward) < 0) return false;
-    // the side planes of a pinhole camera pass through the eye, those of a parallel one lie beside it
+    // the side planes of a perspective camera pass through the eye, those of a parallel projection lie beside it
     const auto within = [&](Vec3 side, double reach) {
         if (parallel) return farthestAlong(box, camera.eye, side) + reach >= 0;
         return farthestAlong(box, camera.eye, reach * normals.forward + side) >= 0;

@@ -19,11 +19,11 @@ struct CutView {
     std::uint32_t height = 1; ///< pixels
 };
 
-/// Tiles outside every view are reached only by secondary rays, whose footprint is larger: pixels count as this many
-/// times as large there. That is two levels, each twice as coarse as the one below.
+/// Factor for the size of pixels outside every view: tiles there are reached only by secondary rays, whose footprint is
+/// larger. It corresponds to two levels, each twice as coarse as the one below.
 constexpr double kUnseenPixelScale = 4;
 
-/// Default memory limit for tiles, or on a CPU for all of a picture, bytes: 2 GiB.
+/// Default memory limit in bytes, 2 GiB: for tiles, or on a CPU device for everything that a picture needs.
 constexpr std::uint64_t kTileMemory = std::uint64_t{2} << 30;
 
 struct CutRequest {
@@ -33,9 +33,12 @@ struct CutRequest {
     double detail = RenderSettings{}.detail;
     std::uint64_t memory = 0;      ///< limit for the tiles, bytes; the root is exempt
     std::uint32_t splat_bytes = 0; ///< per stored splat in addition to the file: paint, an index that must be built
-    std::vector<bool> hit_unseen;  ///< for each tile, or empty: many secondary rays hit it outside every view
-    std::vector<HalfSpace> kept;   ///< in the set's coordinates: tiles outside are not refined; empty: nothing is cut
-    std::vector<bool> missing;     ///< for each tile, or empty: it cannot be opened, its parent is used instead
+    /// For each tile outside every view: whether many secondary rays hit it; may be empty.
+    std::vector<bool> hit_unseen;
+    /// Half-spaces that clips keep, in the set's coordinates: tiles outside are not refined; empty: no clips.
+    std::vector<HalfSpace> kept;
+    /// For each tile: whether it could not be opened, so that its parent replaces it; may be empty.
+    std::vector<bool> missing;
 };
 
 struct TileCut {
@@ -54,8 +57,8 @@ TileCut chooseCut(const TileSet& set, const std::vector<std::vector<std::uint32_
 
 /// Bytes of a tile in a cut.
 std::uint64_t bytesInCut(const SetTile& tile, const CutRequest& request);
-/// The screen-space error of a tile where its core is nearest to the camera, pixels. 0 for original tiles; infinite if
-/// the camera is inside the core.
+/// The largest screen-space error in a tile, where its core is nearest to the camera, in pixels. 0 for original tiles;
+/// infinite if the camera is inside the core.
 double screenSpaceError(const TileSet& set, const SetTile& tile, const CutView& view);
 /// The cell offset by steps along each axis; wraps at the ends of the range, where no set has tiles.
 TileCell cellBeside(const TileCell& cell, const TileCell& steps);

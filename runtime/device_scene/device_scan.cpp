@@ -20,8 +20,8 @@ namespace pointrt {
 
 namespace {
 
-/// A section of the file on the device, and the bindings of its first page, of that as a storage buffer, and of further
-/// pages.
+/// A section of the file on the device, with the bindings of its first page as texels, of its first page as a storage
+/// buffer, and of further pages.
 struct ScanBuffer {
     PagedBuffer DeviceScan::*buffer;
     const char* what;
@@ -42,7 +42,7 @@ constexpr ScanBuffer kScanBuffers[] = {
      BINDING_BLENDING_PAGES},
     {&DeviceScan::splats, "splat buffer", VK_FORMAT_R32G32B32A32_UINT, BINDING_SPLATS, BINDING_SPLAT_STORED,
      BINDING_SPLAT_PAGES}};
-constexpr std::size_t kIndexBuffers = std::size(kScanBuffers) - 1; // the splats are last
+constexpr std::size_t kIndexBuffers = std::size(kScanBuffers) - 1; // all but the splats, which are last
 static_assert(std::equal(std::begin(kScanBuffers), std::end(kScanBuffers), kPagedPlaces.begin(), kPagedPlaces.end(),
                          [](const ScanBuffer& a, const PagedPlace& b) { return a.further == b.further; }));
 
@@ -56,7 +56,7 @@ struct Section {
     std::uint64_t bytes = 0;
 };
 
-/// One byte per splat, rounded up to whole texels, which the last page of a section has room for.
+/// Size of an array with one byte per splat, rounded up to whole texels; the last page of a section has room for that.
 Section noiseOf(DeviceScan& scan) {
     pro_sampling sampling;
     pro_get_sampling(scan.file, &sampling);
@@ -102,7 +102,7 @@ std::uint64_t pooledBytes(const Device& device, const Sections& sections) {
     return bytes;
 }
 
-/// Whether a page holds each of them.
+/// Whether each section fits in a single page.
 bool fitPages(const Device& device, const Sections& sections) {
     return std::all_of(sections.paged.begin(), sections.paged.end(), [&](const Section& each) {
         const std::size_t k = static_cast<std::size_t>(&each - sections.paged.data());
@@ -155,7 +155,7 @@ void buildIndex(DeviceScan& scan, const ScanUpload& how) {
                      printable(failure, std::string::npos).c_str());
 }
 
-/// Frees the built arrays that were copied to the device, not imported, but for those that filters read.
+/// Frees the built arrays that were copied to the device rather than imported, except those that filters read.
 void freeBuilt(DeviceScan& scan) {
     Bricks& bricks = scan.built.bricks;
     std::array<Words*, kIndexBuffers> words{&bricks.words, &bricks.cells,  &bricks.slabs,
@@ -181,7 +181,7 @@ void uploadTexels(Device& device, DeviceScan& scan, PagedBuffer DeviceScan::*buf
     scan.device_bytes += bytes;
 }
 
-/// Gaussians in the buffers of a scan.
+/// Uploads Gaussians to the buffers of a scan.
 void uploadGaussians(Device& device, DeviceScan& scan, const pro_gaussians& gaussians) {
     const GaussianBuffers buffers = decodeGaussians(gaussians, scan.view.splats, scan.info.splat_count);
     uploadTexels(device, scan, &DeviceScan::splats, buffers.rows);
@@ -199,8 +199,8 @@ void uploadGaussians(Device& device, DeviceScan& scan, const pro_gaussians& gaus
     std::copy_n(gaussians.harmonic_max, 3, scan.harmonics_max.begin());
 }
 
-/// Whether programs read storage buffers: on GPUs, if each buffer is a single page that can be bound as one. CPU
-/// devices read texels three times as fast.
+/// Whether programs read storage buffers in place of texels: on GPUs, if each buffer is a single page that can be bound
+/// as one. CPU devices read texels three times as fast.
 bool readsStorage(const Device& device, const DeviceScan& scan) {
     if (device.type == VK_PHYSICAL_DEVICE_TYPE_CPU || isPaged(scan.pages)) return false;
     const std::uint64_t most = device.limits.maxStorageBufferRange;
@@ -314,7 +314,7 @@ std::vector<BufferBinding> scanBindings(const DeviceScan& scan) {
     for (const ScanBuffer& each : kScanBuffers) {
         const Buffer& page = (scan.*each.buffer).pages[0];
         bindings.push_back({each.first, &page});
-        // the grid, which every device can bind, in place of what is not read
+        // what is not read is bound to the grid, which every device can bind
         bindings.push_back({each.stored, scan.reads_storage ? &page : &scan.grid_words});
     }
     return bindings;
@@ -322,7 +322,8 @@ std::vector<BufferBinding> scanBindings(const DeviceScan& scan) {
 
 std::vector<BufferBinding> blockBindings(const TexelBlock& block) {
     const auto view = [&](VkFormat format) {
-        return format == VK_FORMAT_R32G32B32A32_UINT ? &block.quads : &block.words; // pairs are read by words
+        // uint32 pairs are read word by word
+        return format == VK_FORMAT_R32G32B32A32_UINT ? &block.quads : &block.words;
     };
     std::vector<BufferBinding> bindings{
         {BINDING_GRID_WORDS, &block.words}, {BINDING_GRID_STORED, &block.words}, {BINDING_NOISE, &block.quads}};

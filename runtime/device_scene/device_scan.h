@@ -33,20 +33,20 @@ struct DeviceScan {
     pro_info info{};
     pro_view view{};
     pro_index index{};  ///< frame and counts; of an index that was built, only near_splats and listed stay valid
-    TracingIndex built; ///< an index that could not be cached, as far as device memory is imported from it
+    TracingIndex built; ///< an index that could not be cached; keeps the arrays whose memory the device has imported
     Buffer grid_words;  ///< never needs pages (PRO_GRID_WORDS_MAX)
     PagedBuffer splats, brick_words, cells, slabs, near, listed, blending;
     PageCounts pages;           ///< of those buffers
-    bool reads_storage = false; ///< programs read those of storage in place of texels
+    bool reads_storage = false; ///< programs read storage buffers in place of texels
     bool queries_rays = false;  ///< rays find their cells by ray queries, not by the walk
-    CellTree tree;              ///< for those
-    TexelRange range;           ///< with a block: all buffers lie in it
+    CellTree tree;              ///< the tree for those ray queries
+    TexelRange range;           ///< if it has a block, all buffers lie in it
     Buffer noise;               ///< a byte per splat; a blank texel if the scan has no noise
     bool noisy = false;
     bool is_gaussian = false; ///< holds Gaussians: the buffers have the contents of gaussian_layout.h, and no index
     TracedCube traced_cube;   ///< of GaussianBuffers
-    bool reaches_out = false; ///< some Gaussians reach out of that
-    CubeBox gaussian_box;     ///< around them
+    bool reaches_out = false; ///< whether some Gaussians extend out of traced_cube
+    CubeBox gaussian_box;     ///< the box around them
     std::uint32_t harmonics_degree = 0;   ///< of the Gaussians' colours
     std::array<float, 3> harmonics_max{}; ///< their largest coefficients by degree
     std::uint64_t device_bytes = 0;
@@ -55,25 +55,26 @@ struct DeviceScan {
 /// Maps and validates a file; uploads nothing. The view of a file with an index has no octree. Throws Error kBadInput
 /// "FILE: reason".
 DeviceScan mapScan(const std::string& path);
-/// The same, for uploadScan: also maps the cached index of a file without one. Throws as mapScan and userIndexCache do.
+/// The same, for uploadScan: also maps the index of a file without one if the index is cached. Throws as mapScan and
+/// userIndexCache do.
 DeviceScan mapTracedScan(const std::string& path);
 
 struct ScanUpload {
     std::size_t threads = 0; ///< limit for building an index; 0: all cores
     bool verbose = false;
     bool pooled = false;       ///< copy the sections into a block of the device's texel pool, if they fit
-    bool queries_rays = false; ///< build the boxes for ray queries, if the device has these
+    bool queries_rays = false; ///< build the tree for ray queries, if the device supports them
 };
 /// Uploads or imports a scan from mapTracedScan. Builds and caches an index that is missing. Throws Error kBadInput
 /// "FILE: reason" or kCannotRun; scan is destroyed then.
 void uploadScan(Device& device, DeviceScan& scan, const ScanUpload& how);
-/// mapTracedScan and uploadScan, on all cores, with boxes for ray queries.
+/// mapTracedScan and uploadScan, using all cores, with the tree for ray queries.
 DeviceScan loadScan(Device& device, const std::string& path, bool verbose);
-/// Blank buffers, for programs that need some bound.
+/// Blank buffers, for programs that must have some bound.
 DeviceScan blankScan(Device& device);
-/// The buffers, of paged ones the first page, for the bindings of shaders/lib/bindings.glsl.
+/// The buffers (the first page of paged ones) for the bindings of shaders/lib/bindings.glsl.
 std::vector<BufferBinding> scanBindings(const DeviceScan& scan);
-/// A block in place of the buffers of one scan, for programs that read the scans in it.
+/// Bindings of a block in place of the buffers of one scan, for programs that read all scans in the block.
 std::vector<BufferBinding> blockBindings(const TexelBlock& block);
 /// Where the buffers of a scan start in its block.
 void setSectionStarts(const DeviceScan& scan, gpu::PooledTile& tile);

@@ -55,7 +55,7 @@ Bounds findBounds(const DeviceScene& scene) {
     return all.value_or(Bounds{{-1, -1, -1}, {1, 1, 1}});
 }
 
-/// Only rough materials read the table. Others read it where the value does not matter, so zeros will do.
+/// Only rough materials need the table. The others read it too but do not use the value, so zeros will do.
 bool needsGgxAlbedo(std::uint32_t features) {
     return std::any_of(kMaterialKinds.begin(), kMaterialKinds.end(), [&](const MaterialKindRow& each) {
         return hasTrait(each.kind, MATERIAL_IS_ROUGH) && (features & FEATURE_MATERIAL(each.kind)) != 0;
@@ -70,7 +70,7 @@ void replaceBuffer(Device& device, Buffer& buffer, const char* what, std::vector
     buffer = fresh;
 }
 
-/// In place if the number of rows is unchanged.
+/// Updates in place if the number of rows is unchanged.
 template <typename Row>
 void replaceRows(Device& device, Buffer& buffer, const char* what, std::vector<Row> rows) {
     const std::uint64_t bytes = rows.size() * sizeof(Row);
@@ -211,7 +211,8 @@ void uploadSceneRows(Device& device, DeviceScene& scene, const SceneDescription&
 bool mergesGaussians(const DeviceScene& scene) {
     std::size_t count = 0;
     for (const Instance& each : scene.instances)
-        if (scene.files[each.file].is_gaussian) count += each.tile ? 2 : 1; // its set may show further tiles
+        // the set may show further tiles, so one counts as several
+        if (scene.files[each.file].is_gaussian) count += each.tile ? 2 : 1;
     return count > 1;
 }
 

@@ -20,12 +20,12 @@
 
 namespace pointrt {
 
-/// A file with its placement in the scene: a scan, or a tile of one.
+/// A file with its placement in the scene: a whole scan, or a tile.
 struct Instance {
     std::uint32_t file = 0;            ///< slot in DeviceScene::files
-    std::uint32_t number = 0;          ///< in SceneDescription::instances: all tiles of a set have the same one
+    std::uint32_t number = 0;          ///< index in SceneDescription::instances; all tiles of a set have the same one
     std::size_t place = 0;             ///< in DeviceScene::instances
-    std::optional<std::uint32_t> tile; ///< its number in its set
+    std::optional<std::uint32_t> tile; ///< of a tile: its number in its set
     gpu::InstanceParams params{};
     Buffer params_buffer;
     bool oriented = false;
@@ -35,8 +35,7 @@ struct Instance {
 struct SceneSet {
     std::uint32_t number = 0; ///< of that instance
     OpenedSet opened;
-    DeviceScan
-        root; ///< mapped, not on the device: represents the set whatever tiles are loaded; its bounds are the set's
+    DeviceScan root; ///< mapped, not on the device: represents the set whichever tiles are loaded; has the set's bounds
     bool reported_coarse = false;
 };
 
@@ -47,8 +46,8 @@ struct DeviceScene {
     RenderSpace space;
     ResidentFiles files;             ///< each .pro once, however many instances it has
     std::vector<SceneSet> sets;      ///< in the order of their instances
-    std::vector<Instance> instances; ///< in the order of the description; a set's tiles in place of the set
-    Instance blank;                  ///< is bound in scenes without instances
+    std::vector<Instance> instances; ///< in the order of the description, where a set stands for its tiles
+    Instance blank;                  ///< bound in scenes without instances
     ScenePaint paint;
     Bounds bounds; ///< of the instances; of the bounded shapes if there are none
     std::vector<gpu::Light> light_rows;
@@ -61,13 +60,14 @@ struct DeviceScene {
     Environment sky_sizes;               ///< of the sky image, without texels
     std::uint64_t splat_count = 0;
     std::uint64_t device_bytes = 0;
-    std::uint64_t tile_cache_bytes = 0; ///< unused tiles stay while all files take no more; 0: evict them at once
+    /// Keep unused tiles while all files together take no more than this; 0: evict them at once.
+    std::uint64_t tile_cache_bytes = 0;
     Buffer materials, shapes, lights, ggx_albedo, environment_texels, environment_cdf;
 };
 
 /// Loads the files of description, opens its tile sets and makes the instances of the files. Next, load the tiles of
-/// the sets with updateTiles (scene_tiles.h), then shapes, materials and lights, which may depend on the bounds, with
-/// uploadSceneTables. Throws Error as loadScan and openSet do.
+/// the sets with updateTiles (scene_tiles.h). Then upload shapes, materials and lights, which may depend on the bounds,
+/// with uploadSceneTables. Throws Error as loadScan and openSet do.
 DeviceScene openScene(Device& device, SceneDescription description, bool verbose);
 
 /// Uploads the shapes, materials, lights and painted splats of scene.description, replacing the previous ones. Reads
@@ -76,13 +76,13 @@ DeviceScene openScene(Device& device, SceneDescription description, bool verbose
 void uploadSceneTables(Device& device, DeviceScene& scene, const RenderSettings& settings);
 
 /// Replaces the description by one that differs in materials, lights or shapes only, in a few milliseconds. Files,
-/// placements, sky image and paint request (paintRequest) must be the current ones, and the features of rows those of
-/// the scene, for which its programs were built.
+/// placements, sky image and paint request (paintRequest) must be the current ones. rows must have the features of the
+/// scene, for which its programs were built.
 /// @param rows makeSceneRows of description
 void uploadSceneRows(Device& device, DeviceScene& scene, const SceneDescription& description,
                      const RenderSettings& settings, SceneRows rows);
 
-/// The up direction that a file has, in the world as it is placed; unit length.
+/// The up direction that a file stores, rotated by its placement; unit length.
 std::optional<Vec3> knownUp(const DeviceScan& file, const Placement& placement);
 /// The up direction of the first instance whose file has one, in the world; unit length.
 std::optional<Vec3> knownUp(const DeviceScene& scene);
@@ -95,20 +95,20 @@ bool haveSameFiles(const SceneDescription& a, const SceneDescription& b);
 /// Whether both have the same files with the same placements.
 bool haveSamePlacements(const SceneDescription& a, const SceneDescription& b);
 
-/// Makes the instances anew, of a description with the same files that are placed elsewhere; the render space stays.
-/// Next, call uploadSceneTables. The tiles of sets stay those of the former place.
+/// Rebuilds the instances for a description with the same files in other places; keeps the render space. Next, call
+/// uploadSceneTables. The loaded tiles of sets stay those for the former placement.
 void placeInstances(Device& device, DeviceScene& scene, SceneDescription description);
 
 /// Whether some instance holds Gaussians.
 bool hasGaussians(const DeviceScene& scene);
 
-/// Whether rays may meet the Gaussians of several instances, which they must composite in the order of all.
+/// Whether rays may pass through Gaussians of several instances, which must be composited in one order.
 bool mergesGaussians(const DeviceScene& scene);
 
 /// Whether there are lights and anything that casts caustics.
 bool castsCaustics(const DeviceScene& scene);
 
-/// One for each instance of scene, with its placement in description.
+/// One entry for each instance of scene, with its placement in description.
 std::vector<PlacedScan> placedScans(const DeviceScene& scene, const SceneDescription& description);
 
 /// A scan that represents each instance of the description: its file, or the root of its set.
@@ -119,7 +119,7 @@ PagedBuffers instancePages(const DeviceScene& scene, const Instance& instance);
 
 /// The buffers of an instance, or of scene.blank, for the bindings of shaders/lib/bindings.glsl.
 std::vector<BufferBinding> instanceBindings(const DeviceScene& scene, const Instance& instance);
-/// Those of them that are not of the file.
+/// The bindings of sceneBindings that do not belong to a file.
 std::vector<BufferBinding> sceneBindings(const DeviceScene& scene, const Instance& instance);
 
 void destroyDeviceScene(Device& device, DeviceScene& scene);

@@ -21,7 +21,7 @@ struct Grid {
     std::vector<float> values;
 };
 
-/// Resamples `from` groups of `group` numbers to `to` groups with a box filter.
+/// Resamples `from` groups of `group` numbers each to `to` groups, with a box filter.
 void averageGroups(const float* source, std::uint32_t from, float* target, std::uint32_t to, std::size_t group) {
     const double step = static_cast<double>(from) / to;
     std::vector<double> sums(group);
@@ -59,7 +59,7 @@ Grid averageTo(Grid grid, std::uint32_t max_width, std::uint32_t max_height) {
     return grid;
 }
 
-/// Share of the sphere of a band of rows, over pi.
+/// The solid angle of a band of rows, over pi.
 double bandShare(std::size_t y, std::uint32_t height) {
     const double step = std::numbers::pi / height;
     return std::cos(static_cast<double>(y) * step) - std::cos(static_cast<double>(y + 1) * step);
@@ -78,8 +78,8 @@ double rowShare(std::size_t y, std::uint32_t height) {
 
 double luminanceOf(const float* rgb) { return luminance<double>(rgb[0], rgb[1], rgb[2]); }
 
-/// Luminance averaged over each texel as bilinear interpolation fills it, times the solid angle: of each axis the texel
-/// itself counts for 3/4 and its neighbours for 1/8.
+/// Luminance averaged over each texel as bilinear interpolation fills it, times the solid angle. Along each axis the
+/// texel itself has the weight 3/4, its two neighbours 1/8 each.
 Grid lightOfTexels(const Grid& map) {
     const std::size_t width = map.width, height = map.height;
     Grid luminance{map.width, map.height, 1, std::vector<float>(width * height)};
@@ -167,7 +167,7 @@ gpu::EnvironmentFrame environmentFrame(const Environment& environment, const std
 }
 
 std::array<Vec3, 3> mapFromWorld(Vec3 up, double rotation_deg) {
-    // the horizontal direction of the middle column without rotation: -z, or +y if up is nearer to z
+    // the horizontal direction of the middle column without rotation: -z, or +y if up is closer to z
     const Vec3 reference = std::abs(up.z) > std::abs(up.y) ? Vec3{0, 1, 0} : Vec3{0, 0, -1};
     const Vec3 ahead = normalize(reference - dot(reference, up) * up), right = cross(ahead, up);
     const double angle = rotation_deg * std::numbers::pi / 180;

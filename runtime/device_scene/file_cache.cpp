@@ -42,7 +42,7 @@ std::vector<CachedFile> filesOf(const FileCache& cache) {
     return files;
 }
 
-/// The limit for the folder, including the `there` bytes that it holds.
+/// The limit for the folder, which already holds `there` bytes.
 std::uint64_t roomOf(const FileCache& cache, std::uint64_t there) {
     std::error_code unknown;
     const fs::space_info disk = fs::space(cache.folder, unknown);
@@ -75,7 +75,7 @@ bool makeRoomFor(const FileCache& cache, std::uint64_t bytes, const std::string&
     for (const CachedFile& file : files) {
         if (there + bytes <= room) break;
         if (file.path == kept) continue;
-        std::error_code gone; // another process deleted it
+        std::error_code gone; // ignored: another process may have deleted it
         fs::remove(file.path, gone);
         there -= file.bytes;
     }

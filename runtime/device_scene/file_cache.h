@@ -8,23 +8,23 @@
 
 namespace pointrt {
 
-/// The folder takes at most a quarter of what the disk would have free without it.
+/// The folder takes at most a quarter of the disk space that would be free without it.
 constexpr std::uint64_t kFreePerCached = 4;
 
-/// A folder that several processes may share. Only files with its suffix count, and their temporaries (AtomicFile),
-/// which are leftovers if they are old.
+/// A folder that several processes may share. Only files with its suffix count, and their temporary files (AtomicFile);
+/// old temporary files are leftovers.
 struct FileCache {
     std::string folder; ///< empty: caching is off
     std::string suffix;
     std::uint64_t most_bytes = 0;
 };
 
-/// A cache in the user's cache folder, and the environment variable that limits it.
+/// The name of a cache in the user's cache folder, and the environment variable that limits its size.
 struct UserCache {
     const char* name;             ///< of its folder in $XDG_CACHE_HOME/pointrt or ~/.cache/pointrt
     const char* suffix;           ///< of its files
     const char* variable;         ///< a size limit such as 20G, or "off"
-    std::uint64_t most_bytes = 0; ///< without the variable
+    std::uint64_t most_bytes = 0; ///< limit if the variable is not set
 };
 
 /// Without a folder if it is off or the user has none. Throws Error kBadUsage if the variable is neither a size nor

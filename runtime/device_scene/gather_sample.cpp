@@ -17,10 +17,11 @@
 namespace pointrt {
 namespace {
 
-/// Size of the sample. Its extent differs from that of all splats by 0.2% of the picture; with an eighth of it, by
-/// 0.8%.
+/// Size of the sample. With it, the extent of a scan in the picture differs by 0.2% from that of all splats; with an
+/// eighth of it, by 0.8%.
 constexpr std::uint64_t kSamples = 65536;
-/// Most splats to read from a set: 64 MiB, which take 0.2 seconds if they are cached and a second from a slow disk.
+/// Most splats to read from a set: 64 MiB, which takes 0.2 seconds if the file is in memory and a second from a slow
+/// disk.
 constexpr std::uint64_t kSplatsOfSet = std::uint64_t{4} << 20;
 
 /// sRGB to linear: IEC 61966-2-1.
@@ -51,7 +52,7 @@ SampledSplat sampledSplat(const pro_splat& splat, const TileCube& cube, const Pl
             colorOf(file, splat)};
 }
 
-/// An instance, and what clips keep of it.
+/// An instance, and the half-spaces that clips keep of it.
 struct SampledInstance {
     Placement placement;
     std::vector<HalfSpace> kept;
@@ -73,8 +74,8 @@ void addSplats(const DeviceScan& file, const SampledInstance& instance, std::uin
     }
 }
 
-/// One splat in so many is taken from a tile, so that its part of the sample is in proportion to the original splats
-/// that it represents.
+/// Takes every n-th splat of a tile; n is chosen so that the tile's part of the sample is in proportion to the original
+/// splats that it represents.
 std::uint64_t stepThrough(const SetTile& tile, std::uint64_t originals, std::uint64_t step) {
     const double kept = static_cast<double>(tile.splats) / static_cast<double>(std::max<std::uint64_t>(1, originals));
     return std::max<std::uint64_t>(1, static_cast<std::uint64_t>(kept * static_cast<double>(step)));
@@ -128,7 +129,7 @@ void addSensors(const DeviceScan& file, const Placement& placement, SceneSample&
     }
 }
 
-/// The number of splats of each instance of the description; of sets, only original splats count.
+/// The number of splats of each instance of the description; for sets, of original splats.
 std::vector<std::uint64_t> splatCounts(const DeviceScene& scene, const std::vector<const DeviceScan*>& scans) {
     std::vector<std::uint64_t> counts;
     for (const DeviceScan* scan : scans) counts.push_back(scan->info.splat_count);
@@ -142,7 +143,7 @@ std::uint64_t splatsOf(const DeviceScene& scene) {
     return std::accumulate(counts.begin(), counts.end(), std::uint64_t{0});
 }
 
-/// Takes one splat in `step`. clips: only those that they keep.
+/// Takes every step-th splat. clips: takes only splats that they keep.
 SceneSample gather(const DeviceScene& scene, std::uint64_t step, bool clips) {
     SceneSample sample;
     const std::vector<const DeviceScan*> scans = representativeScans(scene);

@@ -7,13 +7,14 @@
 
 namespace pointrt {
 
-/// Every n-th splat along the space-filling curve of the files, each instance in proportion to its splats; the
-/// positions of scanners; and the origins of files. All placed in the scene. Sets of up to 4 million splats are sampled
-/// from their original splats, so that they are framed like single files, larger ones from merged splats. Takes a few
-/// hundredths of a second whatever the size of the scene, more if tiles must be read from disk.
+/// Samples every n-th splat along the space-filling curve of the files, so that each instance counts in proportion to
+/// its splats; adds the positions of scanners and the origins of files. Everything is in scene coordinates. Sets of up
+/// to 4 million splats are sampled from their original splats, so that they are framed like single files, larger ones
+/// from merged splats. Takes a few hundredths of a second whatever the size of the scene, more if tiles must be read
+/// from disk.
 SceneSample gatherSample(const DeviceScene& scene);
 
-/// The same of what the scene's clips keep. If that is little, more splats are read, up to 4 million.
+/// The same for the part that the scene's clips keep. If few splats of the sample remain, reads more, up to 4 million.
 SceneSample gatherKeptSample(const DeviceScene& scene);
 
 } // namespace pointrt

@@ -14,7 +14,8 @@ namespace {
 
 constexpr std::uint32_t kTexelWords = 4;
 
-/// Row k of M: the axis over its half length in the ellipsoid. Gaussians that count nowhere are in no list.
+/// Row k of M: axis k divided by its half length in the ellipsoid. Gaussians that are too faint to count are in no
+/// list.
 gpu::vec4 rowOf(const std::array<float, 3>& half_axis, double mean) {
     const float squared = half_axis[0] * half_axis[0] + half_axis[1] * half_axis[1] + half_axis[2] * half_axis[2];
     const float inverse = squared > 0 ? 1 / squared : 0.0f;
@@ -27,7 +28,7 @@ void setRows(const GaussianEllipsoid& ellipsoid, gpu::GaussianRows& rows) {
     rows.row_z = rowOf(ellipsoid.half_axes[2], ellipsoid.center[2]);
 }
 
-/// The bytes of three coefficients of a Gaussian to a word each.
+/// Packs three coefficients of a Gaussian, one byte each, into one word.
 void packHarmonics(const std::int8_t* codes, std::uint32_t count, std::uint32_t* words) {
     const auto byte = [](std::int8_t code) { return std::uint32_t{static_cast<std::uint8_t>(code)}; };
     for (std::uint32_t k = 0; k < count; ++k)
@@ -75,7 +76,7 @@ CubeBox boxAround(const std::vector<GaussianEllipsoid>& ellipsoids) {
     return box.low[0] <= box.high[0] ? box : CubeBox{{0, 0, 0}, {1, 1, 1}};
 }
 
-/// Half the edges of the cubes around a point that hold each of the ellipsoids that are not empty.
+/// For each ellipsoid that is not empty: half the edge of the smallest cube around a point that holds it.
 std::vector<double> halfEdgesAround(const std::array<double, 3>& point,
                                     const std::vector<GaussianEllipsoid>& ellipsoids) {
     std::vector<double> halves;
@@ -90,8 +91,8 @@ std::vector<double> halfEdgesAround(const std::array<double, 3>& point,
     return halves;
 }
 
-/// Every ray tests what reaches out of the cube: if those are many, as of skies and of the tiles of a set, the cube is
-/// enlarged, by powers of two. Floats leave 2^-24 of its edge to a mean, so not further than by 8.
+/// Every ray tests the Gaussians that extend out of the cube. If there are many, as in skies and in the tiles of a set,
+/// the cube is enlarged by a power of two, at most 8: floats resolve positions to 2^-24 of its edge.
 constexpr std::ptrdiff_t kMostOutside = 64;
 constexpr double kMostEnlargement = 8;
 
@@ -106,16 +107,16 @@ TracedCube enlargedCube(const std::vector<GaussianEllipsoid>& ellipsoids) {
     return {{low, low, low}, edge};
 }
 
-/// A few giants, and what floats far away, may leave so little of the cube to all others that floats lose them: 2^-24
-/// of a cube of 1,000 scenes is half the deviation of a thin Gaussian. Then the cube is that of the others, if it is
-/// shorter by so much that floats gain four bits.
+/// A few giants or distant floaters can make the cube so large that floats cannot resolve the other Gaussians: 2^-24 of
+/// a cube 1,000 times as wide as the scene is half the deviation of a thin Gaussian. In that case the cube is chosen
+/// around the others, provided that its smaller size gains floats at least four bits.
 constexpr std::size_t kMostApart = 256;
 constexpr double kLeastGain = 16, kCoreMargin = 1 + 1.0 / 1024;
-/// Means of files have steps of 2^-27: floats are finer in a cube of this edge, and what lies outside stays far from
-/// their largest.
+/// Means in files have steps of 2^-27. In a cube of this edge, floats are finer than that, and positions outside it
+/// stay far below the largest float.
 constexpr double kLeastCore = 1.0 / 4096;
 
-/// The cube around all but kMostApart Gaussians; infinite if there are no more.
+/// The cube around all but kMostApart Gaussians; infinite if there are no others.
 TracedCube coreCube(const std::vector<GaussianEllipsoid>& ellipsoids) {
     constexpr double kFar = std::numeric_limits<double>::infinity();
     if (ellipsoids.size() <= kMostApart) return {{}, kFar};
@@ -151,7 +152,7 @@ GaussianEllipsoid inCube(GaussianEllipsoid ellipsoid, const TracedCube& cube) {
 } // namespace
 
 GaussianBuffers decodeGaussians(const pro_gaussians& gaussians, const std::uint32_t* splats, std::uint32_t count) {
-    constexpr std::size_t kEach = 1 << 14; // Gaussians of a task: some milliseconds
+    constexpr std::size_t kEach = 1 << 14; // Gaussians per task, which takes some milliseconds
     const std::uint32_t coefficients = pro_harmonic_count(gaussians.degree);
     const std::size_t words = kTexelWords * HARMONIC_TEXELS(gaussians.degree);
     GaussianBuffers buffers;

@@ -16,7 +16,7 @@ struct CubeBox {
     std::array<double, 3> low{}, high{};
 };
 
-/// The cube that rows and nodes are in, in units of the file's cube.
+/// The cube that rows and nodes refer to, in units of the file's cube.
 struct TracedCube {
     std::array<double, 3> low{};
     double edge = 1;
@@ -28,9 +28,9 @@ struct GaussianBuffers {
     std::vector<gpu::GaussianNode> nodes;
     std::vector<std::uint32_t> lists;
     std::vector<std::uint32_t> harmonics; ///< HARMONIC_TEXELS words of 4 per Gaussian
-    CubeBox box;                          ///< around all that count, which may reach out of the cube
+    CubeBox box; ///< around all Gaussians that are not too faint, which may extend out of the cube
     TracedCube cube;
-    bool reaches_out = false; ///< some that count reach out of it
+    bool reaches_out = false; ///< whether some of these extend out of it
 };
 
 /// Decodes the sections of a file.

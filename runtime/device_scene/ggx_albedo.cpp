@@ -52,7 +52,7 @@ std::array<Node, kAzimuths> azimuthNodes() {
     return nodes;
 }
 
-/// Smith's lambda for GGX: hidden facets per visible one from a direction of this cosine.
+/// Smith's lambda for GGX: the ratio of hidden to visible facets, seen from a direction with this cosine.
 double smithLambda(double cosine, double alpha2) {
     return 0.5 * (std::sqrt(1 + alpha2 * (1 - cosine * cosine) / (cosine * cosine)) - 1);
 }
@@ -71,8 +71,8 @@ StretchedView stretchView(double cosine, double alpha) {
     return {cosine, alpha2, stretch, alpha * sine / stretch, cosine / stretch, smithLambda(cosine, alpha2)};
 }
 
-/// The angle from the axis, of normals in a plane through it, at which reflected light goes below the horizon. In the
-/// tangent of that angle the condition is quadratic, with one positive root.
+/// For normals in a plane through the axis: the angle from the axis beyond which they reflect light below the horizon.
+/// The condition is quadratic in the tangent of that angle, with one positive root.
 /// @param lean slope of the normals' height along the plane
 double horizonTilt(const StretchedView& view, double lean) {
     const double rest = 1 - view.alpha2;

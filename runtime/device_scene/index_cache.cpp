@@ -37,7 +37,8 @@ std::uint64_t sectionSum(const pro_file* file, std::uint32_t kind) {
     return headerField<std::uint64_t>(file, record + PRO_SEC_OFF_XXH3);
 }
 
-/// Whether everything that an index is built from is equal, by checksums: that reads no more pages of the files.
+/// Whether everything that an index is built from is equal. Compares checksums, so that no more pages of the files are
+/// read.
 bool isOfSameOctree(const pro_file* a, const pro_file* b) {
     const auto traits = [](const pro_file* file) {
         pro_info info;

@@ -9,13 +9,14 @@ namespace pointrt {
 namespace {
 
 constexpr std::size_t kSampled = std::size_t{1} << 18;
-/// More integers than this are a range, not a list to choose from. LAS files of all vendors have fewer classes.
+/// Limit for listing integers as choices; if there are more, they form a range. LAS files of all vendors have fewer
+/// classes.
 constexpr std::size_t kMostValues = 32;
 
-/// What is known of numbers before their histogram.
+/// What a first pass finds out about numbers, before their histogram.
 struct NumberSurvey {
     std::optional<ValueRange> range;
-    std::set<double> integers; ///< up to one more than kMostValues
+    std::set<double> integers; ///< stops at one more than kMostValues
     bool only_integers = true;
 };
 
@@ -27,7 +28,7 @@ void add(NumberSurvey& survey, double number) {
     if (survey.only_integers && survey.integers.size() <= kMostValues) survey.integers.insert(number);
 }
 
-/// Calls visit(number) for all numbers that word names: a rare class must not be missed.
+/// Calls visit(number) for all numbers that word names, not for a sample: a rare class must not be missed.
 template <typename Visit>
 void visitAll(const std::vector<PlacedScan>& scans, const std::string& word, Vec3 up, const Visit& visit) {
     for (const PlacedScan& scan : scans)

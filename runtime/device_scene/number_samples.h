@@ -17,8 +17,8 @@ namespace pointrt {
 /// Each scan once: sets are represented by their roots, which have a sample of their numbers.
 std::vector<PlacedScan> representativesOf(const std::vector<PlacedScan>& scans);
 
-/// The step of visitNumbers that visits about 2^18 numbers of all scans together: percentiles of so many are accurate
-/// to 0.1%.
+/// The step of visitNumbers with which it visits about 2^18 numbers of all scans together: their percentiles are
+/// accurate to 0.1%.
 std::size_t stepThrough(const std::vector<PlacedScan>& scans);
 
 /// Calls visit(number) for the finite numbers of every step-th block of splats.
@@ -38,13 +38,14 @@ void visitNumbers(const PlacedScan& scan, const SplatNumbers& source, std::size_
 /// How often numbers occur.
 struct NumberHistogram {
     ValueRange range;           ///< of all; low equals high if there is one number only
-    std::vector<float> shares;  ///< of kHistogramBins equal parts of range, divided by the largest
+    std::vector<float> shares;  ///< shares of kHistogramBins equal parts of range, relative to the largest
     std::vector<double> values; ///< the numbers, ascending, if they are few integers; else empty
     bool operator==(const NumberHistogram&) const = default;
 };
 constexpr std::size_t kHistogramBins = 100;
 
-/// Of the numbers that word names, in all scans that have them; empty if none has. up: unit vector, for heights.
+/// The histogram of the numbers that word names, over all scans that have them; empty if none has. up: unit vector, for
+/// heights.
 NumberHistogram histogramOf(const std::vector<PlacedScan>& scans, const std::string& word, Vec3 up);
 
 } // namespace pointrt

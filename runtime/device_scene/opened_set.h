@@ -32,7 +32,7 @@ std::string tilePath(const OpenedSet& set, std::uint32_t tile);
 /// The view of a scene's camera in the coordinates of a placed set, for pictures of this size.
 CutView cutView(const Placement& placement, const Camera& camera, PixelSize size);
 
-/// Sets cut and full_cut for a request, whose missing and hit_unseen are replaced by those of the set.
+/// Sets cut and full_cut for a request; uses the set's missing and hit_unseen in place of the request's.
 void chooseCuts(OpenedSet& set, CutRequest request);
 
 } // namespace pointrt

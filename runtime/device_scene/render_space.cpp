@@ -106,7 +106,7 @@ Vec3 worldPoint(const RenderSpace& space, Vec3 point) { return space.origin + sp
 
 std::array<gpu::vec4, 3> cubeFromRender(const RenderSpace& space, const Placement& placement, const pro_info& info) {
     const Rows turned_back = transposed(placement.rotation);
-    // the same product as in chooseRenderSpace, so that the quotient is exactly 1 for the first instance
+    // the same product as in chooseRenderSpace, so that the ratio is exactly 1 for the first instance
     const double units = space.scale / (placement.scale * info.scale);
     const Vec3 input_origin = applied(turned_back, space.origin - placement.translation) * (1.0 / placement.scale);
     const Vec3 origin = (input_origin - vecOf(info.origin)) * (1.0 / info.scale);

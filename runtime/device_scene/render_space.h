@@ -27,18 +27,18 @@ struct Bounds {
     Vec3 lo, hi;
 };
 
-/// Around the first instance: the origin is the low corner of its cube as placed, the scale the edge of the cube. If
-/// that instance is unmoved, render space is its cube's frame, exactly. Without instances: the low corner and longest
-/// edge of the bounds of all bounded shapes; without those, world space.
+/// The space around the first instance: the origin is the low corner of its placed cube, the scale the edge of the
+/// cube. If that instance is unmoved, render space is its cube's frame, exactly. Without instances: the low corner and
+/// longest edge of the bounds of all bounded shapes; without those, world space.
 /// @param infos of the instances' files, in order
 RenderSpace chooseRenderSpace(const SceneDescription& scene, std::span<const pro_info> infos);
 
-/// A direction, or a point, of an instance's input in world coordinates.
+/// A direction of an instance's input, or a point without the translation, in world coordinates.
 Vec3 turned(const Placement& placement, Vec3 input);
 Vec3 placed(const Placement& placement, Vec3 input);
 /// The inverse of placed: from the world to input coordinates.
 Vec3 unplaced(const Placement& placement, Vec3 world);
-/// A direction of the world, turned back by the placement's rotation, whose rows are orthonormal.
+/// A world direction rotated back by the placement's rotation, whose rows are orthonormal.
 Vec3 unrotated(const Placement& placement, Vec3 direction);
 
 Vec3 renderPoint(const RenderSpace& space, Vec3 world);
@@ -50,7 +50,7 @@ std::array<gpu::vec4, 3> cubeFromRender(const RenderSpace& space, const Placemen
 
 /// World bounds of the eight corners of an instance's bounds.
 Bounds placedBounds(const Placement& placement, const pro_info& info);
-/// Nullopt for planes.
+/// Nullopt for planes, which are unbounded.
 std::optional<Bounds> shapeBounds(const ShapeDescription& shape);
 Bounds joined(const Bounds& a, const Bounds& b);
 /// Bounds of all shapes except planes; nullopt if there are none.
@@ -58,7 +58,8 @@ std::optional<Bounds> boundsOfShapes(const SceneDescription& scene);
 
 /// Requires that u, v and w are linearly independent, for every kind of shape.
 gpu::Shape packShape(const RenderSpace& space, const ShapeDescription& shape);
-/// The light in render units: converts lengths and radiant intensities, not radiance or the sun's irradiance.
+/// Converts the lengths and the radiant intensity of a light to render units; radiance and the sun's irradiance do not
+/// change.
 gpu::Light packLight(const RenderSpace& space, const LightDescription& light);
 /// Absorption is per render unit. The material belongs to no light.
 gpu::Material packMaterial(const RenderSpace& space, const MaterialDescription& material);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Which .pro files are on the device, and which of them to evict: stable slots, byte accounting, least recently used
-// first. Renderer and ray casts share it; each decides for itself what to load.
+// first. The renderer and ray casts share it, and each decides for itself what to load.
 #pragma once
 
 #include <cstddef>
@@ -19,7 +19,7 @@ namespace pointrt {
 enum class Eviction : std::uint8_t { kNever, kAllowed };
 
 /// Files in slots. The number of a file's slot and the address of its scan do not change while the file is resident;
-/// the lowest free slot is used next. It frees no device memory: who removes a scan destroys it.
+/// the lowest free slot is used next. It frees no device memory: the caller that removes a scan destroys it.
 class ResidentFiles {
 public:
     using Slot = std::uint32_t;
@@ -47,16 +47,16 @@ public:
         std::size_t place_ = 0;
     };
 
-    /// @param bytes what it counts towards bytes()
-    /// Until it is used it is the first to be evicted.
+    /// @param bytes that the file adds to bytes()
+    /// A file that was never used is the first to be evicted.
     Slot add(DeviceScan scan, std::uint64_t bytes, Eviction eviction);
-    /// Takes the scan out of its slot, which is free from then on.
+    /// Takes the scan out of its slot and frees the slot.
     DeviceScan remove(Slot slot);
     /// Marks the file as used now.
     void use(Slot slot);
 
-    /// The file used longest ago among those that may be evicted and for which mayGo(slot) is true; of several never
-    /// used the one added first.
+    /// The least recently used file among those that may be evicted and for which mayGo(slot) is true; among
+    /// several that were never used, the one added first.
     template <typename MayGo>
     std::optional<Slot> leastRecentlyUsed(const MayGo& mayGo) const {
         std::optional<Slot> oldest;
@@ -69,10 +69,10 @@ public:
     }
 
     std::optional<Slot> find(const std::string& path) const;
-    /// slot must hold a file.
+    /// slot must contain a file.
     DeviceScan& operator[](Slot slot) { return slots_[slot]->scan; }
     const DeviceScan& operator[](Slot slot) const { return slots_[slot]->scan; }
-    /// Throws std::out_of_range where slot holds no file.
+    /// Throws std::out_of_range if slot contains no file.
     const DeviceScan& at(Slot slot) const;
 
     /// Occupied slots, in the order in which their files were added.
@@ -93,7 +93,7 @@ private:
     struct Resident {
         DeviceScan scan;
         std::uint64_t bytes = 0;
-        std::uint64_t last_used = 0; ///< as uses_ counts; 0: never
+        std::uint64_t last_used = 0; ///< value of uses_ at the last use; 0: never used
         Eviction eviction = Eviction::kAllowed;
     };
 

@@ -83,13 +83,13 @@ bool holdOnlyGaussians(const std::vector<PlacedScan>& scans) {
            std::all_of(scans.begin(), scans.end(), [](const PlacedScan& scan) { return scan.file->is_gaussian; });
 }
 
-/// Those that do not keep their own colours.
+/// The scans that do not keep their own colours.
 std::vector<PlacedScan> coloredScans(std::vector<PlacedScan> scans) {
     std::erase_if(scans, [](const PlacedScan& scan) { return !scan.instance->colored; });
     return scans;
 }
 
-/// Refuses filters by what no scan has.
+/// Refuses filters by an attribute that no scan has.
 void requireFiltered(const std::vector<PlacedScan>& scans, const PaintRequest& request) {
     for (const FilterDescription& filter : request.filters) {
         if (holdOnlyGaussians(scans))
@@ -102,14 +102,14 @@ void requireFiltered(const std::vector<PlacedScan>& scans, const PaintRequest& r
     }
 }
 
-/// Whether both get the same painted splats.
+/// Whether an instance's splats are painted alike by both requests.
 bool paintsAlike(const PaintRequest& request, const PlacedScan& a, const PlacedScan& b) {
     const bool by_place = usesHeights(request) || request.color_by == kNormal || usesHeights(a.instance->overrides);
     return a.file == b.file && a.instance->overrides == b.instance->overrides &&
            a.instance->colored == b.instance->colored && (!by_place || a.instance->placement == b.instance->placement);
 }
 
-/// The near splats of a scan without those that filters hide, with their radii multiplied by size.
+/// Copies the near splats of a scan, except those that filters hide, with their radii multiplied by size.
 /// @param shown empty: all
 PagedBuffer shownNear(Device& device, const DeviceScan& file, const std::vector<std::uint64_t>& shown, float size) {
     const pro_index& index = file.index;
@@ -212,14 +212,14 @@ PaintPlan planPaint(const std::vector<PlacedScan>& scans, const PaintRequest& re
     if (colored && (scans.empty() || !painted.empty())) choice = chooseColors(painted, request);
     requireFiltered(scans, request);
     plan.legend = std::move(choice.legend);
-    std::size_t next = 0; // of choice.colors
+    std::size_t next = 0; // index in choice.colors
     for (std::size_t i = 0; i < scans.size(); ++i) {
         const bool resized = request.splat_size != 1;
         const bool is_colored = colored && scans[i].instance->colored;
         const std::size_t choice_of_this = next;
         next += is_colored ? 1 : 0;
         if (!is_colored && !resized && !hasNumbers(*scans[i].instance) && request.filters.empty()) continue;
-        if (scans[i].file->is_gaussian) continue; // other buffers, without attributes
+        if (scans[i].file->is_gaussian) continue; // has other buffers and no attributes
         SplatPaint& paint = plan.paints[i].emplace();
         if (is_colored) paint.colors = std::move(choice.colors[choice_of_this]);
         paint.overrides = overridesOf(scans[i], request.up);

@@ -16,16 +16,16 @@
 
 namespace pointrt {
 
-/// Everything that determines how the splats of placed files are painted: equal requests paint alike.
+/// Everything that determines how the splats of placed files are painted: equal requests give equal results.
 struct PaintRequest {
-    std::string color_by = kOwnColors; ///< the map and range are set only if it is another
+    std::string color_by = kOwnColors; ///< the colour map and range are set only if it is not kOwnColors
     std::optional<ColorMap> color_map;
     std::optional<ValueRange> color_range;
     Vec3 up;                                              ///< set only if heights are used
     float splat_size = 1;                                 ///< RenderSettings::splat_size
     std::vector<FilterDescription> filters;               ///< the enabled ones
     std::vector<std::vector<MaterialOverride>> overrides; ///< for each instance; empty if shaders apply all of them
-    std::vector<bool> colored;                            ///< each instance, if color_by is not the scans' own
+    std::vector<bool> colored; ///< whether color_by applies to each instance, if it is not the scans' own colours
     bool operator==(const PaintRequest&) const = default;
 };
 
@@ -34,8 +34,8 @@ PaintRequest paintRequest(const SceneDescription& scene, const RenderSettings& s
 /// Whether the splats of an instance get other colours than those of its file.
 bool isColored(const InstanceDescription& instance, const RenderSettings& settings);
 
-/// Whether an instance's own settings make its splats differ from those of its file. Filters (hidesSplats) do so for
-/// all instances. Gaussians are never painted.
+/// Whether an instance's own settings make its splats differ from those of its file. Filters do so for all instances
+/// (hidesSplats). Gaussians are never painted.
 bool isPainted(const InstanceDescription& instance, const RenderSettings& settings);
 /// Whether any splats of the scene differ from those of their files.
 bool paintsScans(const SceneDescription& scene, const RenderSettings& settings);
@@ -48,8 +48,9 @@ std::vector<std::uint32_t> paintedMaterials(const InstanceDescription& instance,
 struct PlacedScan {
     const DeviceScan* file = nullptr;
     const InstanceDescription* instance = nullptr;
-    const DeviceScan* root = nullptr; ///< of a tile's set: which numbers exist must not depend on the loaded tiles
-    const TileSet* set = nullptr;     ///< of a tile, else null
+    /// For a tile, the root of its set: which numbers exist must not depend on the loaded tiles.
+    const DeviceScan* root = nullptr;
+    const TileSet* set = nullptr; ///< of a tile, else null
 };
 
 struct PaintPlan {
@@ -59,7 +60,7 @@ struct PaintPlan {
 };
 
 /// Throws Error kBadUsage if no scan has the number to colour by, and kBadInput if a scan lacks the number of an
-/// override, or all lack that of a filter; all list what is available.
+/// override, or every scan lacks the number of a filter. The messages list what is available.
 PaintPlan planPaint(const std::vector<PlacedScan>& scans, const PaintRequest& request);
 
 /// The values of color_by that these scans support.
@@ -68,8 +69,9 @@ std::vector<std::string> colorWords(const std::vector<PlacedScan>& scans);
 /// The splats of a file as painted, on the device.
 struct PaintedSplats {
     PagedBuffer splats;
-    std::uint64_t shown = 0;         ///< splats that filters do not hide
-    std::optional<PagedBuffer> near; ///< without the hidden ones, of the size they are drawn in; none: the file's
+    std::uint64_t shown = 0; ///< splats that filters do not hide
+    /// The file's near splats without the hidden ones, at the drawn size; none: use the file's.
+    std::optional<PagedBuffer> near;
 };
 
 /// Throws Error kCannotRun.

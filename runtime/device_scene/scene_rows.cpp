@@ -50,13 +50,13 @@ public:
                           rows.instances.back());
         }
         if (description.sky && !description.sky->image.empty()) addSkyLight();
-        if (is_ambient) rows.lights.resize(1); // the surroundings are sampled as one
+        if (is_ambient) rows.lights.resize(1); // the surroundings are sampled as one light
     }
 
     SceneRows rows;
 
 private:
-    /// Whether a material focuses light, as mirrors and glass do, and caustics are on.
+    /// Whether a material focuses light, as mirrors and glass do, if caustics are on.
     bool focusesLight(const gpu::Material& material) const {
         const MaterialKind kind = kindOf(material);
         const bool mirrors = hasTrait(kind, MATERIAL_MIRRORS_BY_SHARE) && mirrorShare(material) > 0;
@@ -71,7 +71,7 @@ private:
         return casts;
     }
 
-    /// Planes and boxes around the scene (rooms) cast no caustics: they are no bounded target for photons.
+    /// Planes and boxes around the scene (rooms) cast no caustics: they are not a bounded target for photons.
     void addShape(const ShapeDescription& description) {
         if (!description.visible) return;
         gpu::Shape shape = packShape(scene_.space, description);
@@ -123,12 +123,12 @@ private:
         return true;
     }
 
-    /// Sets the largest radius as it is drawn. That of Gaussians stays.
+    /// Sets the largest drawn radius. That of Gaussians is unchanged.
     void setDrawnRadius(const DeviceScan& file, gpu::InstanceParams& params) const {
         if (!file.is_gaussian) params.splat.x = file.info.radius_max * settings_.splat_size;
     }
 
-    /// Appends the rows of an instance and references them in its params.
+    /// Appends the rows of an instance and sets its params to refer to them.
     void addInstance(const InstanceDescription& description, const Instance& instance) {
         const DeviceScan& file = scene_.files[instance.file];
         const auto first = static_cast<std::uint32_t>(rows.materials.size());
@@ -152,7 +152,7 @@ private:
         rows.instances.push_back(params);
     }
 
-    /// @param painted splats have rows by all overrides already, except those of whole rows
+    /// @param painted the splats have the rows of all overrides already, except overrides of whole rows
     void applyOverride(const MaterialOverride& each, const DeviceScan& file, bool painted,
                        gpu::InstanceParams& params) {
         if (const auto* row = std::get_if<MaterialOverride::Row>(&each.splats)) {
@@ -172,8 +172,8 @@ private:
     const RenderSettings& settings_;
 };
 
-/// Whether paths may continue at the material: with stochastic integrators at all; with others at mirrors, and with
-/// those that trace glossy highlights also at matte materials with a highlight.
+/// Whether paths may continue at the material. Stochastic integrators continue at every material; others at mirrors,
+/// and those that trace glossy highlights also at matte materials with a highlight.
 bool continuesPaths(const gpu::Material& material, Integrator integrator) {
     const bool mirrors = !hasTrait(kindOf(material), MATERIAL_MIRRORS_BY_SHARE) || mirrorShare(material) > 0;
     if (hasTrait(integrator, INTEGRATOR_IS_AMBIENT)) return false;
@@ -181,8 +181,8 @@ bool continuesPaths(const gpu::Material& material, Integrator integrator) {
            (highlightWeight(material) > 0 && hasTrait(integrator, INTEGRATOR_MIRRORS_HIGHLIGHTS));
 }
 
-/// Whether hits trace their shadow rays at once. If paths continue, few of their hits sample all lights, and a queue of
-/// those costs less than idle lanes.
+/// Whether hits trace their shadow rays at once. If paths continue, few of their hits sample all lights, and a queue
+/// for those few costs more time than idle lanes.
 bool canInlineNee(const SceneRows& rows, std::uint32_t features, Integrator integrator) {
     if (samplesOneLight(integrator)) return true;
     return (features & FEATURE_SECONDARY_RAYS) == 0 && rows.lights.size() <= SHADOW_RAYS_PER_PATH;

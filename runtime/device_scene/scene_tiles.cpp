@@ -30,27 +30,28 @@ namespace {
 /// Share of the device's own memory for tiles. The rest is left to films, programs and other processes.
 constexpr double kDeviceShare = 0.75;
 
-/// Bounds of the rounding error of a tile's hits: some position steps of its cube, and the error of the translation in
-/// its matrix, which is large for a tile that is small compared with render space.
+/// Bounds of the rounding error of a tile's hits: some position steps of its cube, plus the error of the translation in
+/// its matrix, which is large if the tile is small compared with render space.
 constexpr float kCoreSteps = 4, kMatrixRounding = 4e-7f; // a few times 2^-24
 
-/// Self-intersection distance of merged discs, as a share of that of original ones. They need less: merging averages
-/// out registration errors, so merged discs are off the surface only because it is curved within a cell. At the full
-/// distance, roofs a few radii above the ground would cast no shadow on coarser levels (tests/bench/NOTES.md,
-/// Silhouettes).
+/// Self-intersection distance of merged discs, as a share of that of original ones. They need a shorter distance:
+/// merging averages out registration errors, so merged discs deviate from the surface only because it is curved within
+/// a cell. At the full distance, roofs a few radii above the ground would cast no shadow on coarser levels
+/// (tests/bench/NOTES.md, Silhouettes).
 constexpr float kMergedSelfShare = 0.5f;
 
-/// Whether tiles are copied into the device's texel pool, where one program traces many of them. GPUs gain: a dispatch
-/// for each tile and list takes them longer than its few rays. CPUs read the pages of the mapped files in place.
+/// Whether tiles are copied into the device's texel pool, where one program traces many of them. GPUs gain time: a
+/// dispatch for each tile and list takes longer than tracing its few rays. CPUs read the pages of the mapped files in
+/// place.
 bool poolsTiles(const Device& device) { return device.type != VK_PHYSICAL_DEVICE_TYPE_CPU; }
 
-/// Bytes per splat of an index that has yet to be built, typical of surfaces; lidar takes 30 to 127, mostly 35 to 55.
-/// A constant, whatever is resident: the same command must choose the same tiles.
+/// Bytes per splat of an index that has yet to be built, typical of surfaces (lidar scans take 30 to 127, mostly 35 to
+/// 55). It is a constant, not measured from the resident tiles: the same command must choose the same tiles.
 constexpr std::uint32_t kBuiltIndexBytes = 82;
 
-/// Bytes per Gaussian on the device in addition to its file: rows, and lists of the finer tree (kTracedFineness).
+/// Bytes per Gaussian on the device in addition to its file: rows, and the lists of the finer tree (kTracedFineness).
 constexpr std::uint32_t kGaussianBytes = 190;
-/// Near splats that filters have copied: a splat lies in 2.9 lists, its own and 1.9 references.
+/// Copies of near splats that filters make per splat: a splat is in 2.9 lists on average, its own and 1.9 by reference.
 constexpr std::uint32_t kShownNearBytes = 3 * PRO_NEAR_WORDS * sizeof(std::uint32_t);
 
 std::unordered_map<std::string, std::uint32_t> slotsByPath(const ResidentFiles& files) {
@@ -105,7 +106,7 @@ private:
     std::unordered_map<std::string, std::uint32_t> slots_;
 };
 
-/// Paths of the tiles in the cuts of the scene's sets and of the sets that will replace them.
+/// Paths of the tiles in the cuts of the scene's sets and in those of the sets that will replace them.
 std::unordered_set<std::string> tilesInUse(const DeviceScene& scene, const std::vector<OpenedSet>& coming) {
     std::unordered_set<std::string> used;
     const auto use = [&](const OpenedSet& set) {
@@ -122,7 +123,7 @@ void evict(Device& device, DeviceScene& scene, std::uint32_t slot) {
     destroyScan(device, file);
 }
 
-/// Evicts tiles that no cut uses, least recently used first, until the files fit in the cache.
+/// Evicts tiles that no cut uses, least recently used first, until the files fit in the cache limit.
 void evictUnused(Device& device, DeviceScene& scene, const std::vector<OpenedSet>& coming) {
     const std::unordered_set<std::string> used = tilesInUse(scene, coming);
     std::unordered_set<std::uint32_t> unused;
@@ -156,7 +157,7 @@ void openTile(const OpenedSet& set, TileFile& file) {
         requireTile(set.set, set.set.tiles[file.tile], set.folder);
         const std::string path = tilePath(set, file.tile);
         file.scan = mapTracedScan(path);
-        // programs and buffers are chosen by what the set holds
+        // programs and buffers are chosen by what the set is said to contain
         if (file.scan.is_gaussian != set.set.gaussians)
             throw Error(ExitCode::kBadInput, path + ": belongs to another set (only one of them holds Gaussians)");
     } catch (...) {
@@ -206,7 +207,8 @@ private:
         return found;
     }
 
-    /// False if the tile cannot be opened; it is marked as missing then. A root has no parent to replace it.
+    /// False if the tile cannot be opened; it is then marked as missing. Throws for a root, which has no parent to
+    /// replace it.
     bool upload(OpenedSet& set, TileFile& file) {
         try {
             if (file.failure) std::rethrow_exception(file.failure);

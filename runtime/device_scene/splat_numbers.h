@@ -26,13 +26,13 @@ struct SplatNumbers {
 /// Names of the numbers in a file, in its order: "NAME", or "NAME.0" to "NAME.3" for attributes with components.
 std::vector<std::string> numberWords(const pro_file* file);
 
-/// The attribute name that word abbreviates, or word itself.
+/// The attribute name that word abbreviates, else word itself.
 std::string attributeWord(const std::string& word);
 
 /// The numbers that word names or abbreviates; nullopt if the file has none.
 std::optional<SplatNumbers> attributeNumbers(const pro_file* file, const std::string& word);
 
-/// Heights along up (unit length), world units; for an unmoved scan those of its input.
+/// Heights along up (unit length), in world units; for a scan that is not moved, those of its input.
 SplatNumbers heightNumbers(const pro_file* file, const Placement& placement, Vec3 up);
 
 /// Reads the numbers of splats first to first + numbers.size() - 1.

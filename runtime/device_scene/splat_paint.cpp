@@ -18,7 +18,7 @@ using Numbers = std::array<double, kBlock>;
 
 /// Consecutive splats, as in the file and painted.
 struct Block {
-    const std::uint32_t* file_words; ///< from the first splat on
+    const std::uint32_t* file_words; ///< of the block's first splat and the following ones
     std::size_t first, count;
     std::uint32_t* painted;
 };

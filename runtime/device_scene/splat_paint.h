@@ -44,12 +44,12 @@ struct SplatOverride {
 struct SplatPaint {
     std::variant<std::monostate, NumberColors, NormalColors> colors;
     std::vector<SplatOverride> overrides;             ///< later ones win
-    std::vector<SplatOverride::OfNumbers> selections; ///< what filters show: splats that are in all of them
-    float size = 1;                                   ///< factor of the radii
+    std::vector<SplatOverride::OfNumbers> selections; ///< of filters: splats that match all of them are shown
+    float size = 1;                                   ///< factor for the radii
 };
 
-/// Writes the painted words of splats, from number first on, as many as painted holds, on all cores. Those that
-/// selections leave out are painted, too (splat_selection.h).
+/// Fills painted with the words of consecutive splats from number first on, on all cores. Splats that selections leave
+/// out are painted, too (splat_selection.h).
 void paintSplats(const SplatPaint& paint, const std::uint32_t* file_words, std::size_t first,
                  std::span<std::uint32_t> painted);
 

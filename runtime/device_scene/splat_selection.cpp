@@ -12,7 +12,7 @@
 namespace pointrt {
 namespace {
 
-/// Splats per task: as many as fit in the L1 cache with their numbers, and whole words of bits.
+/// Splats per task: they and their numbers fit in the L1 cache, and they fill whole words of bits.
 constexpr std::size_t kSelectedAtOnce = 1024;
 constexpr std::size_t kBits = 64;
 /// Near splats per task.
@@ -22,7 +22,7 @@ bool isShown(const std::vector<std::uint64_t>& shown, std::size_t splat) {
     return (shown[splat / kBits] >> splat % kBits & 1) != 0;
 }
 
-/// Sets which splats, from number first on, are in all selections.
+/// For splats from number first on: sets the bits of those that are in all selections.
 void selectSplats(const std::vector<SplatOverride::OfNumbers>& selections, std::size_t first, std::span<bool> shown) {
     std::fill(shown.begin(), shown.end(), true);
     std::vector<double> numbers(shown.size());
@@ -57,7 +57,8 @@ void moveHiddenAway(const std::vector<std::uint64_t>& shown, std::size_t first, 
 
 namespace {
 
-/// The squared radius of a near splat multiplied, as a code, at least 1 where it was: 0 would be nothing.
+/// The code of a near splat's squared radius multiplied by a factor; at least 1 if it was above 0, since 0 means no
+/// splat.
 std::uint32_t resizedCode(std::uint32_t code, float square) {
     if (code == 0) return 0;
     const float before = std::bit_cast<float>((code << PRO_NEAR_RADIUS_SHIFT) + PRO_NEAR_RADIUS_BIAS);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Which splats filters show, and lists of near splats without the others, or of other sizes.
+// Which splats filters show, and copies of near splats without the hidden ones or with other radii.
 #pragma once
 
 #include <cstddef>
@@ -18,13 +18,13 @@ std::vector<std::uint64_t> shownSplats(const std::vector<SplatOverride::OfNumber
 /// @param words of the splats from number first on
 void moveHiddenAway(const std::vector<std::uint64_t>& shown, std::size_t first, std::span<std::uint32_t> words);
 
-/// Copies near splats (PRO_NEAR_WORDS each), on all cores. Those that are not shown become 0: nothing for programs
-/// with balls, and for others discs without a normal, on whose planes no ray has a point.
+/// Copies near splats (PRO_NEAR_WORDS each), on all cores. Those that are not shown become 0: no splat for programs
+/// with balls, and for others a disc without a normal, whose plane no ray hits.
 /// @param listed the splat of each
 void copyShownNear(const std::vector<std::uint64_t>& shown, std::span<const std::uint32_t> near,
                    std::span<const std::uint32_t> listed, std::span<std::uint32_t> copy);
 
-/// Multiplies the radii of near splats by a factor, above 0 to 1, on all cores. Nothing stays nothing.
+/// Multiplies the radii of near splats by a factor above 0 and up to 1, on all cores. Entries without a splat stay so.
 void resizeNear(float factor, std::span<std::uint32_t> near);
 
 } // namespace pointrt

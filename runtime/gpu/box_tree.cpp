@@ -34,7 +34,7 @@ VkAccelerationStructureGeometryKHR instanceGeometry(const Device& device, const 
     return geometry;
 }
 
-/// The bottom level where it is.
+/// The bottom level as an instance, not moved.
 VkAccelerationStructureInstanceKHR instanceOf(const Device& device, const Buffer& bottom) {
     VkAccelerationStructureDeviceAddressInfoKHR info{VK_STRUCTURE_TYPE_ACCELERATION_STRUCTURE_DEVICE_ADDRESS_INFO_KHR};
     info.accelerationStructure = bottom.tree;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Acceleration structures over boxes, for ray queries.
+// Acceleration structures of boxes, for ray queries.
 #pragma once
 
 #include <span>
@@ -9,11 +9,12 @@
 
 namespace pointrt {
 
-/// Most boxes of a tree: what every device with ray queries allows.
+/// Largest number of boxes in a tree: the minimum that every device with ray queries must support.
 constexpr std::size_t kTreeBoxesMax = (1u << 24) - 1;
 
-/// A bottom level with the boxes, and a top level with that as its only instance, which programs bind: each program
-/// traces one instance of the scene, in the coordinates of its boxes. Plain data: free it with destroyBoxTree, once.
+/// A bottom level with the boxes, and a top level whose only instance is the bottom level. Programs bind the top level;
+/// each program traces one instance of the scene, in the coordinates of its boxes. Plain data: free it with
+/// destroyBoxTree, once.
 struct BoxTree {
     Buffer bottom, top;
 };

@@ -38,7 +38,7 @@ VkDebugUtilsMessengerCreateInfoEXT messengerInfo() {
     VkDebugUtilsMessengerCreateInfoEXT info{VK_STRUCTURE_TYPE_DEBUG_UTILS_MESSENGER_CREATE_INFO_EXT};
     info.messageSeverity =
         VK_DEBUG_UTILS_MESSAGE_SEVERITY_WARNING_BIT_EXT | VK_DEBUG_UTILS_MESSAGE_SEVERITY_ERROR_BIT_EXT;
-    // not GENERAL: in that class the loader complains about other vendors' drivers that find no hardware
+    // not GENERAL: with that type, the loader reports drivers of other vendors that find no hardware
     info.messageType = VK_DEBUG_UTILS_MESSAGE_TYPE_VALIDATION_BIT_EXT | VK_DEBUG_UTILS_MESSAGE_TYPE_PERFORMANCE_BIT_EXT;
     info.pfnUserCallback = onValidationMessage;
     return info;
@@ -107,7 +107,7 @@ VkInstance createInstance(std::vector<const char*> extensions) {
         info.enabledLayerCount = 1;
         info.ppEnabledLayerNames = &kValidationLayer;
     }
-    // the layer has the extension, whatever the loader's list says
+    // the validation layer has the extension, even if the loader does not list it
     if (wantsValidation() || (wantsDebugNames() && hasDebugUtils()))
         extensions.push_back(VK_EXT_DEBUG_UTILS_EXTENSION_NAME);
     info.enabledExtensionCount = static_cast<std::uint32_t>(extensions.size());
@@ -158,7 +158,7 @@ std::vector<const char*> deviceExtensions(const Device& device, const DeviceRequ
     return extensions;
 }
 
-/// What each thread has of its own.
+/// The objects that each thread has for itself.
 void createThreadObjects(Device& device) {
     VkCommandPoolCreateInfo pool{VK_STRUCTURE_TYPE_COMMAND_POOL_CREATE_INFO};
     pool.flags = VK_COMMAND_POOL_CREATE_RESET_COMMAND_BUFFER_BIT;
@@ -217,9 +217,9 @@ void createLogicalDevice(Device& device, const DeviceRequest& request) {
     const std::vector<const char*> extensions = deviceExtensions(device, request);
     VkPhysicalDeviceFeatures features{};
     features.shaderFloat64 = device.doubles;
-    // every device has it; GPUs would fault where texels of a damaged file's indices are 0
+    // every device supports it; without it, damaged files whose indices are out of range would crash GPUs
     features.robustBufferAccess = device.type != VK_PHYSICAL_DEVICE_TYPE_CPU;
-    // every device of Vulkan 1.2 has them
+    // every Vulkan 1.2 device supports them
     VkPhysicalDeviceTimelineSemaphoreFeatures timelines{VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_TIMELINE_SEMAPHORE_FEATURES};
     timelines.timelineSemaphore = VK_TRUE;
     VkPhysicalDeviceSubgroupSizeControlFeaturesEXT subgroups{

@@ -25,8 +25,8 @@ struct DeviceRequest {
     std::string selector; ///< "" for the best device, an index in listDevices, or part of a name, ignoring case
     bool verbose = false;
     bool graphics = false; ///< the queue must support graphics
-    /// Extensions that the window system needs. If there are any, the queue can present and the device has
-    /// VK_KHR_swapchain.
+    /// Extensions that the window system needs. If there are any, the queue must be able to present and the device must
+    /// have VK_KHR_swapchain.
     std::vector<const char*> instance_extensions;
     /// Whether a queue family can present to the window's display. If not set, all families can.
     std::function<bool(VkInstance, VkPhysicalDevice, std::uint32_t queue_family)> can_present;
@@ -34,21 +34,22 @@ struct DeviceRequest {
     std::uint32_t page_bits_most = 31; ///< limit for Device::page_bits: tests get many pages from small scenes
 };
 
-/// The submissions to a queue, numbered from 1 in their order: the semaphore's value is the number of the last one
+/// The submissions to a queue, numbered from 1 in order. The semaphore's value is the number of the last one that is
 /// done.
 struct Timeline {
     VkSemaphore semaphore = VK_NULL_HANDLE;
-    std::uint64_t submitted = 0;       ///< guarded by the queue's mutex
-    std::vector<VkCommandBuffer> held; ///< what the next submission runs first; the same
+    std::uint64_t submitted = 0; ///< guarded by the queue's mutex
+    /// Commands to run at the start of the next submission; also guarded by the queue's mutex.
+    std::vector<VkCommandBuffer> held;
 };
 
 /// Commands that the device may still be running.
 struct SubmittedCommands {
     VkCommandBuffer commands = VK_NULL_HANDLE;
-    std::uint64_t number = 0; ///< of the submission
+    std::uint64_t number = 0; ///< number of the submission
 };
 
-/// Frames that are recorded and traced at the same time: the host records one while the device works on the last.
+/// Frames in flight: the host records one while the device works on the one before.
 constexpr std::uint32_t kFramesInFlight = 2;
 
 /// Functions of ray queries; null unless Device::queries_rays.
@@ -72,7 +73,7 @@ struct Device {
     std::uint32_t queue_family = 0;
     std::shared_ptr<Timeline> timeline; ///< shared with workers
     VkCommandPool command_pool = VK_NULL_HANDLE;
-    std::vector<SubmittedCommands> in_flight; ///< oldest first; of this thread
+    std::vector<SubmittedCommands> in_flight; ///< submissions of this thread, oldest first
 
     std::string name;
     VkPhysicalDeviceType type = VK_PHYSICAL_DEVICE_TYPE_OTHER;
@@ -81,21 +82,21 @@ struct Device {
     std::uint64_t max_allocation_bytes = 0;
     std::uint32_t page_bits = 0; ///< log2 of the texels in a page (paged_buffer.h)
     std::uint32_t subgroup_size = 0;
-    bool sets_subgroup_size = false; ///< programs ask for subgroup_size (VK_EXT_subgroup_size_control)
+    bool sets_subgroup_size = false; ///< whether programs set subgroup_size (VK_EXT_subgroup_size_control)
     bool unified_memory = false;     ///< CPU or integrated GPU: memory is the host's, so importing saves a copy
     bool doubles = false;            ///< shaders may use 64-bit floats
-    bool queries_rays = false;       ///< DeviceRequest::traversal asks for ray queries, and it has them
+    bool queries_rays = false; ///< whether DeviceRequest::traversal requests ray queries and the device supports them
     RayFunctions rays;
     bool external_memory_host = false;       ///< VK_EXT_external_memory_host is enabled
     std::uint64_t host_import_alignment = 0; ///< bytes, for pointers and sizes given to importHostBuffer
     PFN_vkGetMemoryHostPointerPropertiesEXT getMemoryHostPointerProperties = nullptr;
     PFN_vkSetDebugUtilsObjectNameEXT setObjectName = nullptr; ///< null unless debug names are on (nameObject)
-    PFN_vkCmdBeginDebugUtilsLabelEXT beginLabel = nullptr;    ///< the same (CommandLabel)
-    PFN_vkCmdEndDebugUtilsLabelEXT endLabel = nullptr;        ///< the same
+    PFN_vkCmdBeginDebugUtilsLabelEXT beginLabel = nullptr;    ///< null unless debug names are on (CommandLabel)
+    PFN_vkCmdEndDebugUtilsLabelEXT endLabel = nullptr;        ///< null unless debug names are on (CommandLabel)
     std::shared_ptr<PipelineCache> pipelines;                 ///< shared with workers
-    std::shared_ptr<MemoryPool> memory_pool;                  ///< of all buffers, shared with workers
-    std::shared_ptr<TexelPool> texel_pool;                    ///< of the tiles of sets, shared with workers
-    std::shared_ptr<Staging> staging;                         ///< of this thread
+    std::shared_ptr<MemoryPool> memory_pool;                  ///< for all buffers; shared with workers
+    std::shared_ptr<TexelPool> texel_pool;                    ///< for the tiles of sets; shared with workers
+    std::shared_ptr<Staging> staging;                         ///< of this thread only
     std::shared_ptr<ProgramStore> programs; ///< programs that createProgram built, shared with workers
     bool verbose = false;
 };
@@ -107,16 +108,16 @@ Device createDevice(const DeviceRequest& request);
 void destroyDevice(Device& device);
 
 /// The same device for another thread: it shares the queue, under a mutex, and has its own command pool and staging.
-/// Waits for what device has submitted, whose objects the thread may change.
-/// Objects created through one may be used and freed through the other. Free it with destroyWorkerDevice before device.
+/// First waits for the submissions of device, since the thread may change their objects. Objects created through one
+/// may be used and freed through the other. Free it with destroyWorkerDevice before device.
 Device workerDevice(const Device& device);
 void destroyWorkerDevice(Device& worker);
 
 /// Hold the lock during every call that takes device.queue.
 std::unique_lock<std::mutex> lockQueue(Device& device);
 
-/// One line per device: index, name, type, API version, memory, and why it cannot be used, if so.
-/// Throws Error kCannotRun if there is no Vulkan loader or no driver.
+/// One line per device: index, name, type, API version, memory, and the reason if it cannot be used. Throws Error
+/// kCannotRun if there is no Vulkan loader or no driver.
 std::string listDevices();
 
 /// Validation messages of severity warning or above since the process started; each was printed to stderr.
@@ -131,10 +132,10 @@ void nameObject(const Device& device, VkObjectType type, Handle handle, const ch
     info.objectType = type;
     info.objectHandle = reinterpret_cast<std::uint64_t>(handle);
     info.pObjectName = name;
-    device.setObjectName(device.handle, &info); // only runs out of memory, which the next call reports
+    device.setObjectName(device.handle, &info); // fails only if out of memory, which the next call reports
 }
 
-/// A name for debuggers over the commands recorded while it lives; where object names are on (nameObject). Nothing
+/// Labels the commands recorded during its lifetime, for debuggers, if object names are on (nameObject). Does nothing
 /// without commands.
 class CommandLabel {
 public:
@@ -158,10 +159,10 @@ private:
 /// A command buffer in the recording state, for submit.
 /// @param name for debuggers
 VkCommandBuffer beginCommands(Device& device, const char* name = "commands");
-/// Of commands that draw to an image of the display.
+/// Semaphores for commands that draw to an image of the display.
 struct DisplaySync {
     VkSemaphore acquired = VK_NULL_HANDLE; ///< waited for before the image is written
-    VkSemaphore drawn = VK_NULL_HANDLE;    ///< signalled when the image may be shown
+    VkSemaphore drawn = VK_NULL_HANDLE;    ///< signalled when the image can be shown
 };
 
 /// Ends and submits commands, which run after all earlier submissions. When they are done, their writes are visible to
@@ -170,8 +171,8 @@ std::uint64_t submit(Device& device, VkCommandBuffer commands, const std::option
 /// When commands are submitted: at once, or with the next submission (submitWithNext).
 enum class Submission { kNow, kWithNext };
 
-/// Ends commands and leaves them to the next submission of any thread, or to the wait for them: a submission costs the
-/// host tens of microseconds. Returns the number of that submission.
+/// Ends commands and leaves them to the next submission by any thread, or to the next wait for them: a submission costs
+/// the host tens of microseconds. Returns the number of the submission that will include them.
 std::uint64_t submitWithNext(Device& device, VkCommandBuffer commands);
 /// Whether a submission is done.
 bool isDone(const Device& device, std::uint64_t submission);
@@ -179,7 +180,7 @@ bool isDone(const Device& device, std::uint64_t submission);
 void waitFor(const Device& device, std::uint64_t submission);
 /// Waits for all that this thread has submitted. Throws Error kCannotRun (device lost).
 void waitForSubmitted(const Device& device);
-/// The same before objects are freed: a device that is lost runs nothing any more.
+/// Waits before objects are freed; returns at once if the device is lost, since it runs nothing any more.
 void finishSubmitted(const Device& device) noexcept;
 void submitAndWait(Device& device, VkCommandBuffer commands);
 

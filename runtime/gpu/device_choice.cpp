@@ -89,7 +89,7 @@ std::string numberedName(const Candidate& candidate, std::size_t index) {
     return std::to_string(index) + " \"" + candidate.properties.deviceName + "\"";
 }
 
-/// "0 "NAME": reason; 1 "NAME": reason" for all candidates.
+/// Lists all candidates: '0 "NAME": reason; 1 "NAME": reason'.
 std::string refusals(const std::vector<Candidate>& candidates, const std::string& selector) {
     std::string text;
     for (std::size_t i = 0; i < candidates.size(); ++i) {
@@ -169,7 +169,7 @@ Candidate inspect(VkPhysicalDevice physical, const QueueNeeds& needs) {
     return candidate;
 }
 
-/// The kind of descriptor of which programs may have too few, or nothing.
+/// The kind of descriptor that the device supports too few of, if any.
 std::string missingDescriptors(const VkPhysicalDeviceLimits& limits) {
     const struct {
         const char* what;

@@ -18,8 +18,8 @@ namespace pointrt {
 struct DescriptorCounts {
     std::uint32_t storage_texel_buffers = 0, uniform_texel_buffers = 0, storage_buffers = 0, uniform_buffers = 0;
 };
-/// The most of any program that renders, without further pages. Vulkan guarantees 4, 16, 4 and 12. Programs that cast a
-/// caller's rays, and those of paged scans and pooled tiles, have more; createProgram checks these.
+/// The most descriptors of any program that renders, without further pages. Vulkan guarantees 4, 16, 4 and 12. Programs
+/// that cast a caller's rays, and those of paged scans and pooled tiles, have more; createProgram checks these.
 constexpr DescriptorCounts kRenderDescriptors{7, 18, 22, 3};
 
 /// What the queue must support besides compute.
@@ -29,7 +29,7 @@ struct QueueNeeds {
     std::function<bool(VkPhysicalDevice, std::uint32_t family)> can_present; ///< if not set, every family can
 };
 
-/// An enumerated device, with what it takes to choose and list it.
+/// An enumerated device, with all that is needed to choose and list it.
 struct Candidate {
     VkPhysicalDevice physical = VK_NULL_HANDLE;
     VkPhysicalDeviceProperties properties{};
@@ -37,23 +37,23 @@ struct Candidate {
     VkPhysicalDeviceSubgroupProperties subgroup{};
     VkPhysicalDeviceMemoryProperties memory{};
     QueueNeeds needs;
-    std::optional<std::uint32_t> queue_family; ///< the first that supports compute and needs
+    std::optional<std::uint32_t> queue_family; ///< the first family that supports compute and the queue's needs
     bool swapchain = false;                    ///< has VK_KHR_swapchain; set only if needs.present
     bool external_memory_host = false;
     std::uint64_t host_import_alignment = 0; ///< bytes
     bool doubles = false;                    ///< shaders may use 64-bit floats
-    /// Sizes of subgroups that compute programs may ask for (VK_EXT_subgroup_size_control); 0 if they may not.
+    /// The subgroup sizes that compute programs may require (VK_EXT_subgroup_size_control); 0 if they may not.
     std::uint32_t least_subgroup = 0, largest_subgroup = 0;
-    bool ray_queries = false;  ///< has kRayExtensions and their features
+    bool ray_queries = false;  ///< has kRayExtensions and the features of these
     bool reads_texels = false; ///< supports texel buffers in the formats of scenes
     std::string refusal;       ///< empty if usable
 };
 
-/// What ray queries need.
+/// The extensions that ray queries need.
 constexpr const char* kRayExtensions[] = {VK_KHR_RAY_QUERY_EXTENSION_NAME, VK_KHR_ACCELERATION_STRUCTURE_EXTENSION_NAME,
                                           VK_KHR_DEFERRED_HOST_OPERATIONS_EXTENSION_NAME};
 
-/// The features of those extensions, to ask for or to enable.
+/// The features of those extensions, to query or to enable.
 struct RayFeatures {
     VkPhysicalDeviceBufferDeviceAddressFeatures addresses{
         VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_BUFFER_DEVICE_ADDRESS_FEATURES};
@@ -63,7 +63,7 @@ struct RayFeatures {
 
     RayFeatures() { addresses.bufferDeviceAddress = trees.accelerationStructure = queries.rayQuery = VK_TRUE; }
     bool all() const { return addresses.bufferDeviceAddress && trees.accelerationStructure && queries.rayQuery; }
-    /// Puts them before what a chain holds so far.
+    /// Prepends them to a chain.
     void* chainBefore(void* rest) {
         queries.pNext = rest;
         trees.pNext = &queries;
@@ -72,15 +72,16 @@ struct RayFeatures {
     }
 };
 
-/// Whether a device of this kind traces by ray queries. Throws Error kCannotRun if it has none but must.
+/// Whether a device is to trace by ray queries. Throws Error kCannotRun if ray queries are required and it has none.
 bool queriesRays(const Candidate& candidate, Traversal traversal);
 
 std::vector<Candidate> enumerateCandidates(VkInstance instance, const QueueNeeds& needs = {});
 
 bool hasExtension(VkPhysicalDevice physical, const char* name);
 
-/// The subgroup size that programs are to have; 0: the driver chooses. 32 where the driver would take more, as those of
-/// AMD do, and the hardware has both: rays of a subgroup wait for the slowest of fewer (tests/bench/NOTES.md).
+/// bench/NOTES.md)./The subgroup size to require for programs; 0: the driver chooses. It is 32 if the driver would
+/// choose more, as AMD's do, and the hardware supports 32: in a smaller subgroup, rays wait for fewer others
+/// (tests/bench/NOTES.md)./bench/NOTES.md).
 std::uint32_t subgroupSizeFor(const Candidate& candidate);
 
 /// Why candidate is unusable; empty if it is usable. Does not read candidate.physical and refusal.

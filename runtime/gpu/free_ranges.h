@@ -10,13 +10,13 @@ namespace pointrt {
 
 class FreeRanges {
 public:
-    /// All of a block of so many bytes.
+    /// Starts with a block of this many bytes, all unused.
     explicit FreeRanges(std::uint64_t bytes) : total_(bytes) { gaps_[0] = bytes; }
 
-    /// Takes a range: its offset, a multiple of alignment, or nullopt if no gap has room for it. First fit: what is
-    /// taken together mostly comes and goes together.
+    /// Takes a range: its offset, a multiple of alignment, or nullopt if no gap has room for it. First fit: ranges that
+    /// are taken together are mostly freed together.
     std::optional<std::uint64_t> take(std::uint64_t bytes, std::uint64_t alignment);
-    /// Gives a range back that take returned.
+    /// Returns a range that was taken.
     void give(std::uint64_t offset, std::uint64_t bytes);
     /// Whether all of the block is unused.
     bool areAll() const { return gaps_.size() == 1 && gaps_.begin()->second == total_; }

@@ -20,7 +20,8 @@ struct GpuTimer {
 GpuTimer createGpuTimer(Device& device, std::uint32_t ranges = 1);
 void destroyGpuTimer(Device& device, GpuTimer& timer);
 
-/// Record the start and end of a range, in one command buffer: both when all commands before are done.
+/// Record the start and the end of a range in one command buffer. Each timestamp is taken when all earlier commands are
+/// done.
 void recordTimerStart(VkCommandBuffer commands, const GpuTimer& timer, std::uint32_t range = 0);
 void recordTimerEnd(VkCommandBuffer commands, const GpuTimer& timer, std::uint32_t range = 0);
 /// Milliseconds between start and end of a range, after the commands are done; nullopt if the queue has no timestamps.

@@ -8,8 +8,8 @@
 
 namespace pointrt {
 
-/// Bytes left in the device's largest heap of its own: by VK_EXT_memory_budget, which knows what other programs use, or
-/// else its size.
+/// Bytes left in the device's largest heap of its own: as VK_EXT_memory_budget reports, which counts other programs,
+/// else the heap's size.
 std::uint64_t availableDeviceMemory(const Device& device);
 
 } // namespace pointrt

@@ -12,7 +12,7 @@ namespace {
 
 /// Shared blocks: large enough that the buffers of a scene share a few, small enough to leave little unused.
 constexpr std::uint64_t kBlockBytes = 16ull << 20;
-/// A larger range gets an allocation of its own: at most a quarter of a block is lost at its end.
+/// Larger ranges get an allocation of their own, so that at most a quarter of a block is lost at its end.
 constexpr std::uint64_t kLargestShared = kBlockBytes / 4;
 
 std::uint64_t roundedUp(std::uint64_t value, std::uint64_t step) { return (value + step - 1) / step * step; }
@@ -22,7 +22,7 @@ std::uint64_t roundedUp(std::uint64_t value, std::uint64_t step) { return (value
 MemoryRange MemoryPool::allocate(const Device& device, const VkMemoryRequirements& requirements, std::uint32_t type,
                                  bool map, const char* action) {
     VkMemoryRequirements needs = requirements;
-    if (map) { // flushing and invalidating takes whole atoms
+    if (map) { // flushes and invalidates cover whole atoms
         const std::uint64_t atom = std::max<std::uint64_t>(device.limits.nonCoherentAtomSize, 1);
         needs.alignment = roundedUp(std::max<std::uint64_t>(needs.alignment, 1), atom);
         needs.size = roundedUp(needs.size, atom);
@@ -78,7 +78,7 @@ void MemoryPool::free(const Device& device, const MemoryRange& range) {
     blocks_.erase(block);
 }
 
-/// Whether no other block shares memory of this kind: the last one stays for buffers that come and go.
+/// Whether this is the only shared block of its kind of memory: the last one is kept for buffers that come and go.
 bool MemoryPool::isLastShared(const Block& block) const {
     return block.is_shared && std::none_of(blocks_.begin(), blocks_.end(), [&](const Block& other) {
                return &other != &block && other.is_shared && other.type == block.type &&

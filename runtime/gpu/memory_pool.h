@@ -15,7 +15,7 @@ namespace pointrt {
 
 struct Device;
 
-/// A part of an allocation. Plain data: give it back with MemoryPool::free, once.
+/// A part of an allocation. Plain data: return it with MemoryPool::free, once.
 struct MemoryRange {
     VkDeviceMemory memory = VK_NULL_HANDLE;
     std::uint64_t offset = 0, bytes = 0;
@@ -27,7 +27,7 @@ struct MemoryRange {
 class MemoryPool {
 public:
     /// Throws Error kCannotRun "cannot ACTION: ..." if out of memory.
-    /// @param map whether to map the memory, whose type must be host-visible
+    /// @param map whether to map the memory; its type must then be host-visible
     MemoryRange allocate(const Device& device, const VkMemoryRequirements& requirements, std::uint32_t type, bool map,
                          const char* action);
     void free(const Device& device, const MemoryRange& range);

@@ -10,7 +10,7 @@ constexpr VkMemoryPropertyFlags kLocal = VK_MEMORY_PROPERTY_DEVICE_LOCAL_BIT,
                                 kVisible = VK_MEMORY_PROPERTY_HOST_VISIBLE_BIT,
                                 kCoherent = VK_MEMORY_PROPERTY_HOST_COHERENT_BIT,
                                 kCached = VK_MEMORY_PROPERTY_HOST_CACHED_BIT;
-/// Memory that the device does not cache, that only protected submissions may use, or that has no address for buffers.
+/// Memory types to avoid: not cached by the device, for protected submissions only, or without buffer addresses.
 constexpr VkMemoryPropertyFlags kUnusual = VK_MEMORY_PROPERTY_DEVICE_COHERENT_BIT_AMD |
                                            VK_MEMORY_PROPERTY_DEVICE_UNCACHED_BIT_AMD |
                                            VK_MEMORY_PROPERTY_PROTECTED_BIT | VK_MEMORY_PROPERTY_LAZILY_ALLOCATED_BIT;
@@ -19,7 +19,7 @@ struct Wish {
     VkMemoryPropertyFlags required = 0, preferred = 0, avoided = 0;
 };
 
-/// The type that grants a wish best; of equals the first, which drivers list as the faster one.
+/// The type that fits a wish best; of equally good ones the first, since drivers list the faster ones first.
 std::optional<std::uint32_t> bestType(const VkPhysicalDeviceMemoryProperties& memory, std::uint32_t allowed,
                                       const Wish& wish) {
     std::optional<std::uint32_t> best;
@@ -40,7 +40,7 @@ std::optional<std::uint32_t> bestType(const VkPhysicalDeviceMemoryProperties& me
 std::optional<std::uint32_t> chooseMemoryType(const VkPhysicalDeviceMemoryProperties& memory, std::uint32_t allowed,
                                               MemoryHome home, bool unified) {
     const auto choose = [&](const Wish& wish) { return bestType(memory, allowed, wish); };
-    // of a card's memory, the part that the host sees may be a window of 256 MiB, and its other memory is nearer
+    // on graphics cards, the host-visible part may be a window of 256 MiB, and the rest of the memory is closer
     const VkMemoryPropertyFlags window = unified ? 0 : kLocal;
     std::optional<std::uint32_t> found;
     if (home == MemoryHome::kUpload) return choose({kVisible | kCoherent, 0, window});

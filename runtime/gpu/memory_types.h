@@ -9,7 +9,7 @@
 
 namespace pointrt {
 
-/// Who uses a buffer.
+/// How a buffer is used.
 enum class MemoryHome {
     kDevice,  ///< the device; the host may write and read it in place only where that is as fast as its own memory
     kUpload,  ///< the host writes it, the device reads it: mapped and coherent, but slow for the host to read
@@ -22,7 +22,7 @@ std::optional<std::uint32_t> chooseMemoryType(const VkPhysicalDeviceMemoryProper
                                               MemoryHome home, bool unified);
 
 /// Whether the host maps memory with these properties for this home. Device memory that is not cached stays unmapped:
-/// the host reads it through the bus or around its caches, a hundred times slower than a copy on the device.
+/// the host would read it over the bus or uncached, a hundred times slower than a copy on the device.
 bool isMapped(VkMemoryPropertyFlags properties, MemoryHome home, bool unified);
 
 } // namespace pointrt

@@ -106,7 +106,8 @@ std::vector<BufferBinding> pageBindings(const PagedBuffers& buffers) {
     std::vector<BufferBinding> bindings;
     for (std::size_t k = 0; k < buffers.size(); ++k) {
         const std::vector<Buffer>& pages = buffers[k]->pages;
-        const std::size_t first = pages.size() > 1 ? 1 : 0; // an array cannot be empty, though it is not read
+        // an array of bindings cannot be empty, even if it is not read
+        const std::size_t first = pages.size() > 1 ? 1 : 0;
         bindings.push_back({kPagedPlaces[k].further, &pages[first], static_cast<std::uint32_t>(pages.size() - first)});
     }
     return bindings;

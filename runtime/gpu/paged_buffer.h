@@ -41,7 +41,7 @@ void destroyPagedBuffer(Device& device, PagedBuffer& buffer);
 /// Whether any page is imported memory.
 bool isImported(const PagedBuffer& buffer);
 
-/// For a buffer that may have pages: the binding of those after the first, in set SET_PAGES, and the specialization
+/// For a buffer that may have pages: the binding of all pages but the first, in set SET_PAGES, and the specialization
 /// constant for their number (shaders/lib/pages.glsl).
 struct PagedPlace {
     gpu::Binding further{};
@@ -62,13 +62,13 @@ struct PageCounts {
     auto operator<=>(const PageCounts&) const = default;
 };
 
-/// Whether any buffer has more than one page, which takes the paged variants of programs.
+/// Whether any buffer has more than one page, so that programs must be the paged variants.
 bool isPaged(const PageCounts& pages);
 
 using PagedBuffers = std::array<const PagedBuffer*, PAGED_BUFFERS>; ///< in the order of kPagedPlaces
 
 PageCounts pageCounts(const Device& device, const PagedBuffers& buffers);
-/// The specialization constants for programs that read them.
+/// The specialization constants for programs that read paged buffers.
 std::vector<SpecConstant> pageConstants(const PageCounts& pages);
 /// The pages after the first of each buffer, for set SET_PAGES.
 std::vector<BufferBinding> pageBindings(const PagedBuffers& buffers);

@@ -18,17 +18,17 @@
 namespace pointrt {
 namespace {
 
-/// Twenty programs of ten kinds of scenes, each with up to 200 KB for its code and the driver's notes.
+/// Twenty programs for each of ten kinds of scenes, with up to 200 KB per program for its code and the driver's data.
 constexpr std::uint64_t kMostBytes = 40ull << 20;
 constexpr std::array<char, 8> kPipelineFileMagic = {'P', 'R', 'T', 'P', 'I', 'P', 'E', '1'};
 
-/// Start of the file. Drivers trust what they are given: the hash tells damaged bytes before they see them.
+/// Header of the file. Drivers do not check what they are given, so the hash detects damaged files first.
 struct FileHeader {
     std::array<char, 8> magic = kPipelineFileMagic;
-    std::uint32_t vendor = 0, device = 0, driver = 0; ///< driver: its version
+    std::uint32_t vendor = 0, device = 0, driver = 0; ///< driver: its version number
     std::uint32_t unused = 0;
-    std::array<std::uint8_t, VK_UUID_SIZE> uuid{}; ///< changes with what the driver's caches contain
-    std::uint64_t bytes = 0, hash = 0;             ///< of what follows; XXH3
+    std::array<std::uint8_t, VK_UUID_SIZE> uuid{}; ///< changes with the format of the driver's cache
+    std::uint64_t bytes = 0, hash = 0;             ///< size and XXH3 hash of the bytes that follow
     bool operator==(const FileHeader&) const = default;
 };
 static_assert(sizeof(FileHeader) == 56, "no padding, which would be written");
@@ -52,12 +52,12 @@ std::string fileFor(const VkPhysicalDeviceProperties& properties) {
     return folder + name;
 }
 
-/// What the file at path holds for the device and driver; empty if nothing that can be used.
+/// The bytes of the file at path that the device and driver can use; empty if there are none.
 std::vector<std::uint8_t> readKept(const std::string& path, const VkPhysicalDeviceProperties& properties) {
     std::vector<std::uint8_t> bytes;
     try {
         bytes = readFileStart(path, sizeof(FileHeader) + kMostBytes);
-    } catch (const Error&) { // none yet, or not readable
+    } catch (const Error&) { // there is no file yet, or it cannot be read
         return {};
     }
     FileHeader header;
@@ -107,7 +107,7 @@ void PipelineCache::close(const Device& device) {
     if (!handle_) return;
     const std::vector<std::uint8_t> data = cacheData(device, handle_);
     std::error_code ignored;
-    if (data.size() > kMostBytes) // starts over, so that what is in use now is kept
+    if (data.size() > kMostBytes) // start over, so that the pipelines in use now are kept
         std::filesystem::remove(path_, ignored);
     else if (!data.empty() && data != kept_)
         writeKept(path_, headerFor(propertiesOf(device), data), data);

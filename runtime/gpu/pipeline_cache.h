@@ -10,23 +10,23 @@
 
 namespace pointrt {
 
-/// A driver's pipeline cache and its file, $XDG_CACHE_HOME/pointrt/pipelines/VENDOR-DEVICE.bin: one per model of
-/// device, with what the driver in use has compiled. Without effect where the user has no cache folder.
+/// A driver's pipeline cache and its file, $XDG_CACHE_HOME/pointrt/pipelines/VENDOR-DEVICE.bin: one file per device
+/// model, with the pipelines of the current driver. Does nothing if the user has no cache folder.
 class PipelineCache {
 public:
-    /// Opens the driver's cache with what the file holds. A file that is missing, damaged, or of another device or
-    /// version of the driver counts as empty. CPU devices have none: Mesa's keeps programs in files of its own.
+    /// Opens the driver's cache with the contents of the file. A file that is missing, damaged, or from another device
+    /// or driver version counts as empty. CPU devices have no cache: Mesa caches programs itself.
     void open(const Device& device);
-    /// Keeps what the driver has compiled since open, and closes its cache. A file that cannot be written stays as it
-    /// is. Of several processes, the last one's remains.
+    /// Writes the pipelines that the driver has compiled since open to the file, and closes the cache. If the file
+    /// cannot be written, it stays as it is. If several processes write it, the last one wins.
     void close(const Device& device);
-    /// Null before open, and where there is none. Threads may compile with it at the same time.
+    /// Null before open, and if there is no cache. Threads may compile with it at the same time.
     VkPipelineCache handle() const { return handle_; }
 
 private:
     VkPipelineCache handle_ = VK_NULL_HANDLE;
     std::string path_;
-    std::vector<std::uint8_t> kept_; ///< what the file holds of this driver
+    std::vector<std::uint8_t> kept_; ///< the bytes of the file for this driver
 };
 
 } // namespace pointrt

@@ -38,8 +38,8 @@ struct BufferBinding {
 };
 
 /// Builds the pipeline, or takes one with the same code and constants from the device's store.
-/// @param constants a value for each specialization constant of the shader; may have more
-/// Throws std::logic_error if a value is missing, Error kCannotRun if the driver cannot build it.
+/// @param constants a value for each specialization constant of the shader; may have more. Throws std::logic_error if a
+/// value is missing, Error kCannotRun if the driver cannot build it.
 Program createProgram(Device& device, const char* name, std::span<const std::uint32_t> spirv,
                       std::initializer_list<SpecConstant> constants = {});
 Program createProgram(Device& device, const char* name, std::span<const std::uint32_t> spirv,
@@ -78,7 +78,7 @@ void recordDispatch(VkCommandBuffer commands, const Program& program, const Desc
 void recordDispatchIndirect(VkCommandBuffer commands, const Program& program, const DescriptorSets& sets,
                             std::span<const std::byte> push, const Buffer& arguments, std::uint64_t offset);
 
-/// A plain struct as push constants.
+/// Push constants from a plain struct.
 template <typename T>
 std::span<const std::byte> pushBytes(const T& value) {
     return std::as_bytes(std::span<const T, 1>(&value, 1));

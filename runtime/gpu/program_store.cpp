@@ -17,7 +17,7 @@ Program ProgramStore::take(Device& device, const ProgramKey& key, const std::fun
         const std::lock_guard lock(mutex_);
         if (const auto found = entries_.find(key); found != entries_.end()) return use(found);
     }
-    Program built = build(); // without the lock: it takes long
+    Program built = build(); // without holding the lock, since it takes long
     const std::lock_guard lock(mutex_);
     const auto [entry, is_new] = entries_.try_emplace(key, Entry{built, 0, unused_.end()});
     if (is_new)

@@ -28,14 +28,15 @@ struct ProgramKey {
 /// Thread-safe.
 class ProgramStore {
 public:
-    /// Limit for unused programs that are kept: a scene has up to twenty, so those of the last three scenes.
+    /// Limit for unused programs that are kept: a scene has up to twenty, so this keeps those of the last three scenes.
     static constexpr std::size_t kUnusedKept = 64;
 
-    /// The program with this key, built if there is none. Two threads may build the same one at once; one is kept.
+    /// The program with this key; builds it if there is none. Two threads may build the same one at once; one is then
+    /// kept.
     Program take(Device& device, const ProgramKey& key, const std::function<Program()>& build);
-    /// Ends one use; frees the least recently used program if more than kUnusedKept are unused.
+    /// Ends one use of a program. If more than kUnusedKept are then unused, frees the least recently used of them.
     void release(Device& device, const Program& program);
-    /// Frees all, in use or not.
+    /// Frees all programs, used or not.
     void clear(Device& device);
     std::size_t size();
 
@@ -43,7 +44,7 @@ private:
     struct Entry {
         Program program;
         std::size_t users = 0;
-        std::list<ProgramKey>::iterator unused; ///< its place in unused_ if it has no users
+        std::list<ProgramKey>::iterator unused; ///< its position in unused_ if it has no users
     };
     Program use(std::map<ProgramKey, Entry>::iterator entry);
     void freeOldest(Device& device);

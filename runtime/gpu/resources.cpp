@@ -15,7 +15,7 @@
 namespace pointrt {
 namespace {
 
-// Vulkan has no empty buffers, scenes have empty sections. 16 bytes: the largest texel.
+// Vulkan has no empty buffers, but sections may be empty. 16 bytes is the size of the largest texel.
 constexpr std::uint64_t kMinBufferBytes = 16;
 constexpr VkBufferUsageFlags kTransfer = VK_BUFFER_USAGE_TRANSFER_SRC_BIT | VK_BUFFER_USAGE_TRANSFER_DST_BIT;
 
@@ -42,7 +42,7 @@ void allocateMemory(Device& device, const char* what, Buffer& buffer, MemoryHome
     buffer.coherent = (properties & VK_MEMORY_PROPERTY_HOST_COHERENT_BIT) != 0;
 }
 
-/// The memory types that host memory at data can be imported as; 0: none.
+/// The memory types as which host memory at data can be imported; 0: none.
 std::uint32_t importableTypes(Device& device, const void* data) {
     VkMemoryHostPointerPropertiesEXT properties{VK_STRUCTURE_TYPE_MEMORY_HOST_POINTER_PROPERTIES_EXT};
     const VkResult result = device.getMemoryHostPointerProperties(
@@ -76,7 +76,7 @@ void requireInside(const Buffer& buffer, std::uint64_t bytes, std::uint64_t offs
     if (offset > buffer.bytes || bytes > buffer.bytes - offset) throw std::logic_error("copy outside of a buffer");
 }
 
-/// The whole range: offsets and sizes of parts would have to be multiples of an atom.
+/// The whole range, since the offset and size of a part would have to be multiples of an atom.
 VkMappedMemoryRange mappedRange(const Buffer& buffer) {
     VkMappedMemoryRange range{VK_STRUCTURE_TYPE_MAPPED_MEMORY_RANGE};
     range.memory = buffer.range.memory;
@@ -85,7 +85,7 @@ VkMappedMemoryRange mappedRange(const Buffer& buffer) {
     return range;
 }
 
-/// A device that is lost runs nothing any more.
+/// Does not wait if the device is lost, since it runs nothing any more.
 void waitForUpload(const Device& device, const Buffer& buffer) {
     if (buffer.uploaded == 0) return;
     try {
@@ -108,7 +108,8 @@ void addView(Device& device, const char* what, Buffer& buffer, VkFormat format) 
     check(vkCreateBufferView(device.handle, &info, nullptr, &buffer.view),
           (std::string("create a view of ") + what).c_str());
     if (buffer.imported)
-        nameObject(device, VK_OBJECT_TYPE_BUFFER, buffer.handle, what); // it was created without a name
+        // placed memory had no name when the buffer was created
+        nameObject(device, VK_OBJECT_TYPE_BUFFER, buffer.handle, what);
     nameObject(device, VK_OBJECT_TYPE_BUFFER_VIEW, buffer.view, what);
 }
 
@@ -153,7 +154,7 @@ Buffer createPlacedBuffer(Device& device, const char* what, std::uint64_t bytes,
     buffer.range = in.range;
     buffer.range.offset += offset;
     const std::uint64_t atom = std::max<std::uint64_t>(device.limits.nonCoherentAtomSize, 1);
-    buffer.range.bytes = (requirements.size + atom - 1) / atom * atom; // what flushBuffer takes
+    buffer.range.bytes = (requirements.size + atom - 1) / atom * atom; // the size that flushBuffer needs
     if (buffer.range.offset % requirements.alignment != 0 || offset + buffer.range.bytes > in.range.bytes ||
         (requirements.memoryTypeBits >> in.range.type & 1) == 0)
         throw std::logic_error(std::string(what) + " does not fit where it was placed");

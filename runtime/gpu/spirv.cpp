@@ -35,12 +35,12 @@ enum Decoration : std::uint32_t {
     kMemberOffset = 35
 };
 constexpr std::uint32_t kDimBuffer = 5;
-constexpr std::uint32_t kImageSampled = 1; // the other value for a buffer is 2: storage
+constexpr std::uint32_t kImageSampled = 1; // 2, for a buffer, means storage
 constexpr std::size_t kHeaderWords = 5;
 constexpr std::uint32_t kMagic = 0x07230203;
 constexpr std::uint32_t kUnset = ~0u;
 
-/// What the instructions declare about an id.
+/// What instructions declare about an id.
 struct Id {
     std::uint32_t opcode = 0;
     std::span<const std::uint32_t> words; ///< the declaring instruction, including its opcode word
@@ -78,7 +78,7 @@ void decorateMember(Id& id, std::span<const std::uint32_t> words) {
     id.member_offsets[words[2]] = words[4];
 }
 
-/// The operand index of the id that an instruction declares; 0 for instructions that are not needed here.
+/// The operand that is the id which an instruction declares; 0 for instructions that are not needed here.
 std::size_t resultWord(std::uint32_t opcode) {
     switch (opcode) {
     case kOpTypeInt:

@@ -7,9 +7,9 @@
 namespace pointrt {
 namespace {
 
-/// Large enough to hide the cost of a submission: at 12 GB/s, of PCI Express 3, a chunk takes 0.7 ms.
+/// Chunk size: at the 12 GB/s of PCI Express 3 a chunk takes 0.7 ms, which hides the cost of a submission.
 constexpr std::uint64_t kChunkBytes = 8ull << 20;
-/// Two chunks on their way while the host fills a third, and room for small uploads in between.
+/// Room for two chunks that the device copies while the host fills a third, and for small uploads in between.
 constexpr std::uint64_t kRingBytes = 4 * kChunkBytes;
 constexpr std::uint64_t kReadChunks = 2;
 /// Copies start at multiples of the largest texel.
@@ -23,7 +23,7 @@ std::uint64_t submitCopy(Device& device, const Buffer& from, const Buffer& to, c
 
 } // namespace
 
-/// A place in the ring for bytes, once no running copy reads there.
+/// Waits until a place in the ring has room for bytes: until no running copy reads from there.
 std::uint64_t Staging::takeRoom(Device& device, std::uint64_t bytes) {
     if (!ring_.handle) ring_ = createBuffer(device, "staging ring", kRingBytes, 0, MemoryHome::kUpload);
     if (next_ + bytes > kRingBytes) next_ = 0;
@@ -55,7 +55,7 @@ std::uint64_t Staging::submitDownload(Device& device, const Buffer& from, std::u
     return submitCopy(device, from, read_, {offset + start, place, std::min(bytes - start, kChunkBytes)});
 }
 
-/// While the host takes a chunk, the device copies the next.
+/// While the host reads a chunk, the device copies the next one.
 void Staging::download(Device& device, const Buffer& from, void* data, std::uint64_t bytes, std::uint64_t offset) {
     if (!read_.handle)
         read_ = createBuffer(device, "readback buffer", kReadChunks * kChunkBytes, 0, MemoryHome::kReadback);

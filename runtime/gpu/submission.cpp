@@ -26,7 +26,7 @@ VkCommandBuffer takeCommands(Device& device) {
     return commands;
 }
 
-/// Makes all writes visible to the host and to later commands, which wait for these.
+/// Makes all writes visible to the host and to later commands, which wait for them.
 void recordEnd(VkCommandBuffer commands) {
     VkMemoryBarrier barrier{VK_STRUCTURE_TYPE_MEMORY_BARRIER};
     barrier.srcAccessMask = VK_ACCESS_MEMORY_WRITE_BIT;
@@ -41,12 +41,12 @@ void end(VkCommandBuffer commands) {
     check(vkEndCommandBuffer(commands), "record commands");
 }
 
-/// Submits the commands held. The queue is locked.
+/// Submits the held commands. The caller has locked the queue.
 void submitHeld(const Device& device, const std::optional<DisplaySync>& display) {
     Timeline& timeline = *device.timeline;
     const std::vector<VkCommandBuffer> commands = std::exchange(timeline.held, {});
     const VkSemaphore signalled[] = {timeline.semaphore, display ? display->drawn : VK_NULL_HANDLE};
-    const VkPipelineStageFlags first_use = VK_PIPELINE_STAGE_TRANSFER_BIT; // of the display's image
+    const VkPipelineStageFlags first_use = VK_PIPELINE_STAGE_TRANSFER_BIT; // where the display's image is first used
     VkTimelineSemaphoreSubmitInfo numbers{VK_STRUCTURE_TYPE_TIMELINE_SEMAPHORE_SUBMIT_INFO};
     VkSubmitInfo info{VK_STRUCTURE_TYPE_SUBMIT_INFO, &numbers};
     info.commandBufferCount = static_cast<std::uint32_t>(commands.size());
@@ -57,7 +57,7 @@ void submitHeld(const Device& device, const std::optional<DisplaySync>& display)
     info.pWaitSemaphores = display ? &display->acquired : nullptr;
     info.pWaitDstStageMask = &first_use;
     const std::uint64_t number = timeline.submitted + 1;
-    const std::uint64_t values[] = {number, 0}, no_value = 0; // those of the display have none
+    const std::uint64_t values[] = {number, 0}, no_value = 0; // the semaphores of the display have no values
     numbers.pSignalSemaphoreValues = values;
     numbers.pWaitSemaphoreValues = &no_value;
     check(vkQueueSubmit(device.queue, 1, &info, VK_NULL_HANDLE), "submit work to the device");
@@ -96,7 +96,7 @@ std::uint64_t submitWithNext(Device& device, VkCommandBuffer commands) {
 
 bool isDone(const Device& device, std::uint64_t submission) {
     std::uint64_t done = 0;
-    check(vkGetSemaphoreCounterValue(device.handle, device.timeline->semaphore, &done), "ask the device's progress");
+    check(vkGetSemaphoreCounterValue(device.handle, device.timeline->semaphore, &done), "query the device's progress");
     return done >= submission;
 }
 
@@ -120,7 +120,7 @@ void waitForSubmitted(const Device& device) {
 void finishSubmitted(const Device& device) noexcept {
     try {
         waitForSubmitted(device);
-    } catch (const Error&) { // it is lost
+    } catch (const Error&) { // the device is lost
     }
 }
 

@@ -12,8 +12,8 @@
 namespace pointrt {
 namespace {
 
-/// Each block is as large as all before it, so that a large set lies in few and at most half of the memory is unused.
-/// The smallest holds about a million splats with their index.
+/// Each block is as large as all earlier ones together, so that a large set has few blocks and at most half of the
+/// memory is unused. The smallest block holds about a million splats with their index.
 constexpr std::uint64_t kSmallestBlock = 64ull << 20;
 /// The largest has 2^27 words, the most texels of a view that common devices support, and can be bound as a storage
 /// buffer.
@@ -53,7 +53,7 @@ TexelRange TexelPool::allocate(Device& device, std::uint64_t bytes) {
     return {&block, block.gaps.take(bytes, alignment).value(), bytes};
 }
 
-/// A block for at least this many bytes: a smaller one than usual if memory is short.
+/// A block for at least this many bytes; smaller than usual if memory is scarce.
 TexelBlock& TexelPool::addBlock(Device& device, std::uint64_t needed) {
     const std::uint64_t present =
         std::accumulate(blocks_.begin(), blocks_.end(), std::uint64_t{0},
@@ -90,14 +90,14 @@ std::size_t TexelPool::size() {
 }
 
 std::uint64_t texelAlignment(const Device& device) {
-    // whole atoms are flushed; devices align buffers to at most 256 bytes, which createPlacedBuffer checks
+    // flushes cover whole atoms; devices align buffers to at most 256 bytes, which createPlacedBuffer checks
     constexpr std::uint64_t kBufferAlignment = 256;
     return std::max<std::uint64_t>(kBufferAlignment, device.limits.nonCoherentAtomSize);
 }
 
 std::uint64_t texelRoom(const Device& device, std::uint64_t bytes) {
     const std::uint64_t alignment = texelAlignment(device);
-    return (bytes / alignment + 1) * alignment; // an empty buffer, too, takes some
+    return (bytes / alignment + 1) * alignment; // even an empty buffer takes some room
 }
 
 Buffer TexelPlacer::place(Device& device, const char* what, const void* data, std::uint64_t bytes, VkFormat format) {

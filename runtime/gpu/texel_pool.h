@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Large buffers that many texel buffers lie in, so that a program reaches all of them through one binding each.
+// Large buffers that contain many texel buffers, so that a program reads all of them through one binding each.
 #pragma once
 
 #include <cstdint>
@@ -17,7 +17,7 @@ struct TexelBlock {
     FreeRanges gaps{0};
 };
 
-/// A part of a block. Plain data: give it back with TexelPool::free, once.
+/// A part of a block. Plain data: return it with TexelPool::free, once.
 struct TexelRange {
     const TexelBlock* block = nullptr; ///< null: none
     std::uint64_t offset = 0, bytes = 0;
@@ -26,10 +26,10 @@ struct TexelRange {
 /// Thread-safe.
 class TexelPool {
 public:
-    /// A range for buffers that need so much texelRoom; a range without block if a block does not hold it. Throws Error
+    /// A range with room for buffers of this texelRoom; without a block if no block can hold it. Throws Error
     /// kCannotRun if out of memory.
     TexelRange allocate(Device& device, std::uint64_t bytes);
-    /// Does nothing to a range without block.
+    /// Ignores ranges without a block.
     void free(Device& device, const TexelRange& range);
     /// Frees all blocks; their ranges must not be used any more.
     void clear(Device& device);
@@ -45,7 +45,7 @@ private:
 
 /// Alignment of buffers in a block, bytes.
 std::uint64_t texelAlignment(const Device& device);
-/// What a buffer of so many bytes takes of a range.
+/// The bytes of a range that a buffer of this size takes.
 std::uint64_t texelRoom(const Device& device, std::uint64_t bytes);
 
 /// Places the buffers of a range one after the other.

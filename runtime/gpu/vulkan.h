@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Vulkan without linking to it: the loader is opened at run time, so that --help works without it and its absence gives
-// a clear error instead of a failure of the dynamic linker. Inside namespace pointrt the functions have their usual
-// names.
+// Vulkan functions without linking to the loader: it is opened at run time, so that --help works without it, and its
+// absence gives a clear error instead of one of the dynamic linker. Inside namespace pointrt the functions have their
+// usual names.
 #pragma once
 
 #ifndef VK_NO_PROTOTYPES
@@ -15,12 +15,12 @@
 
 namespace pointrt {
 
-/// The device is lost, after a hang or a driver's update: all that was on it is gone, and a new one can be created.
+/// The device was lost, after a hang or a driver update: everything on it is gone, but a new device can be created.
 struct DeviceLost : Error {
     using Error::Error;
 };
 
-/// Every core function the viewer calls; add a name here to use one more.
+/// Every core function that the viewer calls; to use another one, add its name here.
 #define POINTRT_VULKAN_FUNCTIONS(X)                                                                                    \
     X(vkAllocateCommandBuffers)                                                                                        \
     X(vkAllocateDescriptorSets)                                                                                        \
@@ -126,7 +126,7 @@ struct DeviceLost : Error {
     X(vkWaitForFences)                                                                                                 \
     X(vkWaitSemaphores)
 
-/// Functions that a window needs besides; null before loadWindowFunctions.
+/// Functions that only a window needs; null before loadWindowFunctions.
 #define POINTRT_VULKAN_WINDOW_FUNCTIONS(X)                                                                             \
     X(vkAcquireNextImageKHR)                                                                                           \
     X(vkCreateSwapchainKHR)                                                                                            \

@@ -45,7 +45,7 @@ void require(const std::string& path, int result, const char* message) {
     std::string reason = message ? message : "it cannot be decoded";
     FreeEXRErrorMessage(message);
     reason.erase(reason.find_last_not_of(".\n") + 1);
-    std::replace(reason.begin(), reason.end(), '\n', ' '); // several reasons come on a line each
+    std::replace(reason.begin(), reason.end(), '\n', ' '); // several reasons come one per line
     throw Error{ExitCode::kBadInput, path + ": bad OpenEXR file: " + reason};
 }
 
@@ -68,14 +68,15 @@ void decode(const std::string& path, std::span<const std::uint8_t> file, Decoded
     require(path, ParseEXRVersionFromMemory(&version, file.data(), file.size()), nullptr);
     int result = ParseEXRHeaderFromMemory(&decoded.header, &version, file.data(), file.size(), &message);
     require(path, result, message);
-    // blocks store their line numbers; tinyexr would flip pictures that were written bottom up
+    // blocks store their line numbers; tinyexr would flip pictures that were written from the bottom up
     decoded.header.line_order = 0;
     for (int c = 0; c < decoded.header.num_channels; ++c)
         if (decoded.header.pixel_types[c] == TINYEXR_PIXELTYPE_HALF)
             decoded.header.requested_pixel_types[c] = TINYEXR_PIXELTYPE_FLOAT;
     decoded.image.num_channels = decoded.header.num_channels; // so that all planes are freed on failure
     result = LoadEXRImageFromMemory(&decoded.image, &decoded.header, file.data(), file.size(), &message);
-    if (result != TINYEXR_SUCCESS) InitEXRImage(&decoded.image); // freed, but still pointed to
+    // already freed, but header and image still point to it
+    if (result != TINYEXR_SUCCESS) InitEXRImage(&decoded.image);
     require(path, result, message);
 }
 

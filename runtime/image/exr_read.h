@@ -19,8 +19,8 @@ struct ExrPicture {
     std::shared_ptr<const void> storage;      ///< owns the planes
 };
 
-/// Films saved by this viewer, which may compress a thousandfold if empty, or other pictures, whose size is limited by
-/// that of their file (pictureRoom).
+/// Which pictures to expect: films saved by this viewer, which may compress a thousandfold if empty, or other pictures,
+/// whose size is limited by that of their file (pictureRoom).
 enum class ExrKind { kFilm, kPicture };
 
 /// Reads the files that checkExr accepts. Values are unchanged, including infinities and NaN.

@@ -14,7 +14,7 @@ namespace {
 
 using ByteSpan = std::span<const std::uint8_t>;
 
-constexpr std::uint32_t kLongNames = 0x400;  // the one flag that single-part scan-line files may have
+constexpr std::uint32_t kLongNames = 0x400;  // the only flag that single-part scan-line files may have
 constexpr std::size_t kMaxAttributes = 1000; // tinyexr stops at 1024
 constexpr std::size_t kLongestName = 255;
 constexpr std::size_t kMaxChannels = 64;
@@ -22,11 +22,11 @@ constexpr std::uint64_t kMaxDecodedBytes = std::uint64_t{4} << 30;
 constexpr std::int32_t kMaxCoordinate = 1 << 20; // tinyexr rejects line numbers above twice that
 // Deflate, the densest coding, expands at most 1032-fold; a little more for the head of a block.
 constexpr std::uint64_t kMaxExpansion = 1040;
-constexpr std::uint64_t kBlockHeadBytes = 8; // first line, bytes that follow
+constexpr std::uint64_t kBlockHeadBytes = 8; // number of the first line, and the number of bytes that follow
 
 enum Compression : std::uint8_t { kNone = 0, kZip = 3, kPiz = 4 };
 
-/// Reads forwards, never past the end.
+/// Reads forwards and never beyond the end.
 struct Cursor {
     const std::string& path;
     ByteSpan bytes;
@@ -81,7 +81,7 @@ std::map<std::string, ExrPixel> readChannels(Cursor list) {
     std::map<std::string, ExrPixel> channels;
     for (std::string name = list.text(); !name.empty(); name = list.text()) {
         const auto type = list.number<std::uint32_t>();
-        list.take(4); // whether it is perceptually linear, and reserved bytes
+        list.take(4); // a flag (perceptually linear) and reserved bytes
         if (type > static_cast<std::uint32_t>(ExrPixel::kFloat))
             list.fail("unknown pixel type of channel " + printable(name));
         if (list.number<std::int32_t>() != 1 || list.number<std::int32_t>() != 1)
@@ -151,7 +151,7 @@ ExrStructure checkExr(const std::string& path, std::span<const std::uint8_t> fil
     readWindow(attribute(cursor, attributes, "dataWindow", sizeof(Window)), structure, min_y);
     const auto compression = attribute(cursor, attributes, "compression", 1).number<std::uint8_t>();
     if (compression > kPiz) cursor.fail("only RLE, ZIP and PIZ compression are supported");
-    // tinyexr would take the length of the offset table from it
+    // otherwise tinyexr would take the length of the offset table from it
     if (attributes.count("chunkCount")) cursor.fail("chunkCount belongs to files of several parts");
     if (std::uint64_t{structure.width} * structure.height * structure.channels.size() * sizeof(float) >
         kMaxDecodedBytes)

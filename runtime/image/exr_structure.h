@@ -9,7 +9,7 @@
 
 namespace pointrt {
 
-/// The first two words of a file. Without flags beside the version: single part, scan lines, short names.
+/// The magic number and version. No flags are set beside the version: single part, scan lines, short names.
 constexpr std::uint32_t kExrMagic = 20000630, kExrVersion = 2;
 
 enum class ExrPixel : std::uint32_t { kUint = 0, kHalf = 1, kFloat = 2 };

@@ -13,18 +13,18 @@
 
 namespace pointrt {
 
-/// When a film has a part.
+/// When a film has a part, and when its file does.
 enum class FilmGroup {
     kPicture,    ///< always, and in its file too
-    kAlways,     ///< always; optional in its file
-    kLightParts, ///< if the parts of the light are requested
+    kAlways,     ///< always in the film; optional in its file
+    kLightParts, ///< if light components are requested
     kFirstHits,  ///< if first hits are requested
 };
 
 struct FilmPart {
     std::vector<std::string> channels; ///< in their order within a pixel
     FilmGroup group = FilmGroup::kAlways;
-    const char* name = ""; ///< of the film's array
+    const char* name = ""; ///< name of the film's array
 };
 
 inline bool isRequired(const FilmPart& part) { return part.group == FilmGroup::kPicture; }

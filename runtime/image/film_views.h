@@ -12,12 +12,12 @@ namespace pointrt {
 /// How a part is shown.
 enum class ShownAs {
     kLight,  ///< exposed and tone mapped
-    kShare,  ///< a share of light: not exposed
+    kShare,  ///< a fraction of light: not exposed
     kNumber, ///< unchanged
 };
 
 struct FilmView {
-    FilmGroup group = FilmGroup::kAlways; ///< of the part
+    FilmGroup group = FilmGroup::kAlways; ///< group of the part
     std::uint32_t number = 0;
     const char* label = nullptr; ///< null: not shown
     ShownAs as = ShownAs::kLight;

@@ -64,8 +64,8 @@ Bytes channelList(std::span<const ExrChannel> channels) {
         appendText(list, channel.name);
         append(list, channel.type);
         append(list, std::uint32_t{0}); // not perceptually linear; three reserved bytes
-        append(list, std::int32_t{1});  // every pixel in x
-        append(list, std::int32_t{1});  // and y
+        append(list, std::int32_t{1});  // subsampling in x: none
+        append(list, std::int32_t{1});  // subsampling in y: none
     }
     list.push_back(0);
     return list;
@@ -104,7 +104,8 @@ Bytes gatherRows(ExrSize size, std::span<const ExrChannel> channels, std::uint32
     return raw;
 }
 
-/// The filter of ZIP compression before deflate: even bytes, then odd ones, each as its difference from the one before.
+/// The filter that ZIP compression applies before deflate: even bytes, then odd ones, each stored as the difference
+/// from the one before.
 Bytes reorder(const Bytes& raw) {
     Bytes split(raw.size());
     const std::size_t half = (raw.size() + 1) / 2;

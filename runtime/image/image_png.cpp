@@ -56,7 +56,7 @@ void setXmp(png_structp png, png_infop info, const std::string& xmp) {
     if (xmp.empty()) return;
     char keyword[] = "XML:com.adobe.xmp", none[] = "";
     png_text text{};
-    text.compression = PNG_ITXT_COMPRESSION_NONE; // viewers search the file for it
+    text.compression = PNG_ITXT_COMPRESSION_NONE; // uncompressed, since viewers search the file for it
     text.key = keyword;
     text.text = const_cast<char*>(xmp.c_str()); // libpng copies it
     text.lang = text.lang_key = none;

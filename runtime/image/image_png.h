@@ -24,13 +24,13 @@ struct PngSize {
 /// Each function throws Error kCannotWrite "PATH: reason".
 class PngWriter final : public RowWriter {
 public:
-    /// xmp: a metadata packet, or empty.
+    /// xmp: an XMP packet, or empty.
     PngWriter(const std::string& path, PngSize size, Writing writing = Writing::kWhole, const std::string& xmp = {});
     ~PngWriter() override;
 
     /// Appends whole rows.
     void addRows(std::span<const std::uint8_t> rows) override;
-    /// Call after the last row.
+    /// Must be called after the last row.
     void finish() override;
 
 private:

@@ -12,7 +12,7 @@
 namespace pointrt {
 namespace {
 
-constexpr float kLargestHalf = 65504; // in place of values that overflowed in a 16-bit file
+constexpr float kLargestHalf = 65504; // replaces values that overflowed in a 16-bit file
 constexpr float kBrightest = 1e9f;    // more than the sun in candela per square metre; sums stay finite
 
 float usable(float value) {

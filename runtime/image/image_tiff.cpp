@@ -12,7 +12,8 @@
 namespace pointrt {
 namespace {
 
-/// Bytes of a strip before compression: large enough for deflate, small enough for readers to skip what they need not.
+/// Bytes of a strip before compression: large enough for deflate to work well, small enough that readers of a part of
+/// the picture skip most of the file.
 constexpr std::uint32_t kStripBytes = 1 << 18;
 
 // Types and tags of TIFF 6.0, and of GeoTIFF 1.1 (OGC 19-008r4).
@@ -58,11 +59,11 @@ public:
         entries_.push_back(std::move(entry));
     }
 
-    /// @param offset where the directory will stand in the file; even
+    /// @param offset of the directory in the file; even
     std::vector<std::uint8_t> bytes(std::uint32_t offset) const {
         constexpr std::uint32_t kEntryBytes = 12, kInline = 4;
         const auto count = static_cast<std::uint16_t>(entries_.size());
-        std::uint32_t at = offset + 2 + kEntryBytes * count + 4; // of values that do not fit into entries
+        std::uint32_t at = offset + 2 + kEntryBytes * count + 4; // offset of the values that do not fit into entries
         std::vector<std::uint8_t> directory, values;
         put(count, directory);
         for (const Entry& entry : entries_) {
@@ -80,7 +81,7 @@ public:
             values.insert(values.end(), bytes.begin(), bytes.end());
             at += static_cast<std::uint32_t>(bytes.size());
         }
-        put(std::uint32_t{0}, directory); // no further directory
+        put(std::uint32_t{0}, directory); // no next directory
         directory.insert(directory.end(), values.begin(), values.end());
         return directory;
     }
@@ -118,7 +119,8 @@ std::vector<std::uint16_t> geoKeysOf(const GeoReference& place) {
 
 void addPlace(const GeoReference& place, Directory& directory) {
     directory.add<double>(kModelPixelScale, kDouble, {place.pixel, place.pixel, 0});
-    directory.add<double>(kModelTiepoint, kDouble, {0, 0, 0, place.west, place.north, 0}); // pixel to map
+    // places the first pixel on the map
+    directory.add<double>(kModelTiepoint, kDouble, {0, 0, 0, place.west, place.north, 0});
     directory.add(kGeoKeyDirectory, kShort, geoKeysOf(place));
 }
 
@@ -152,7 +154,7 @@ void TiffWriter::writeStrip() {
     std::vector<std::uint8_t> packed(size);
     if (compress2(packed.data(), &size, strip_.data(), static_cast<uLong>(strip_.size()), Z_DEFAULT_COMPRESSION) !=
         Z_OK)
-        throw std::bad_alloc(); // the only failure that zlib names for these arguments
+        throw std::bad_alloc(); // the only error that zlib documents for these arguments
     packed.resize(size);
     offsets_.push_back(static_cast<std::uint32_t>(written_));
     bytes_.push_back(static_cast<std::uint32_t>(size));

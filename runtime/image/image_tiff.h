@@ -19,8 +19,8 @@ struct TiffSize {
     std::uint32_t channels = 4;          ///< 3: RGB, 4: RGBA with straight alpha
 };
 
-/// Rows are compressed in strips (deflate) and written as they come; the directory follows them. Not for standard
-/// output. Each function throws Error kCannotWrite "PATH: reason".
+/// Rows are compressed in strips (deflate) and written as they arrive, followed by the directory. Cannot write to
+/// standard output. Each function throws Error kCannotWrite "PATH: reason".
 class TiffWriter final : public RowWriter {
 public:
     TiffWriter(const std::string& path, TiffSize size, std::optional<GeoReference> place);

@@ -8,7 +8,7 @@ std::string panoramaXmp(PixelSize size) {
         return " GPano:" + std::string(name) + "=\"" + value + "\"";
     };
     const std::string width = std::to_string(size.width), height = std::to_string(size.height);
-    return "<?xpacket begin=\"\xEF\xBB\xBF\" id=\"W5M0MpCehiHzreSzNTczkc9d\"?>" // of every XMP packet
+    return "<?xpacket begin=\"\xEF\xBB\xBF\" id=\"W5M0MpCehiHzreSzNTczkc9d\"?>" // begins every XMP packet
            "<x:xmpmeta xmlns:x=\"adobe:ns:meta/\">"
            "<rdf:RDF xmlns:rdf=\"http://www.w3.org/1999/02/22-rdf-syntax-ns#\">"
            "<rdf:Description rdf:about=\"\" xmlns:GPano=\"http://ns.google.com/photos/1.0/panorama/\"" +

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Metadata by which viewers know a panorama.
+// Metadata by which viewers recognise a panorama.
 #pragma once
 
 #include <string>

@@ -18,10 +18,11 @@ namespace {
 
 using Rgbe = std::array<std::uint8_t, 4>;
 
-constexpr std::uint32_t kMinCodedWidth = 8, kMaxCodedWidth = 32767; // other widths are never coded by component
+// pictures of other widths are never coded by component
+constexpr std::uint32_t kMinCodedWidth = 8, kMaxCodedWidth = 32767;
 constexpr std::size_t kMaxLineBytes = 4096;
 constexpr std::size_t kPixelBytes = 3 * sizeof(float); // in a FloatImage
-constexpr int kExponentBias = 128 + 8;                 // and eight bits of fraction
+constexpr int kExponentBias = 128 + 8;                 // its bias, and eight bits of fraction
 
 struct Source {
     const std::string& path;
@@ -114,7 +115,7 @@ FloatImage readRadiance(const std::string& path) {
     Source source{path, bytes};
     FloatImage image = readHead(source);
     std::vector<Rgbe> row(image.width);
-    image.rgb.reserve(std::size_t{3} * image.width * image.height); // growing would need twice the memory
+    image.rgb.reserve(std::size_t{3} * image.width * image.height); // growing it later would need twice the memory
     for (std::uint32_t y = 0; y < image.height; ++y) {
         readRow(source, row);
         for (const Rgbe& p : row)

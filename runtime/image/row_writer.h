@@ -12,7 +12,7 @@ public:
     virtual ~RowWriter() = default;
     /// Appends whole rows, from the top. Throws Error kCannotWrite "PATH: reason", as finish does.
     virtual void addRows(std::span<const std::uint8_t> rows) = 0;
-    /// Call after the last row.
+    /// Must be called after the last row.
     virtual void finish() = 0;
 };
 

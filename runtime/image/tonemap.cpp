@@ -13,7 +13,7 @@ namespace {
 constexpr std::size_t kPixelsAtOnce =
     1 << 14; ///< per task: a millisecond of work, ten times the cost of starting a thread
 
-/// Clamped to [0, 1]; NaN becomes 0.
+/// Clamps to [0, 1]; NaN becomes 0.
 float shareOf(float value) { return std::clamp(gpu::cleanChannel(value), 0.0f, 1.0f); }
 
 } // namespace

@@ -27,7 +27,8 @@ std::vector<PlanePoint> cutAt(const std::vector<PlanePoint>& polygon, std::size_
 
 PlaneArea areaOf(const std::vector<PlanePoint>& polygon) {
     PlaneArea sum;
-    for (std::size_t i = 2; i < polygon.size(); ++i) { // triangles around the first corner, relative to it
+    // triangles from the first corner, with coordinates relative to it
+    for (std::size_t i = 2; i < polygon.size(); ++i) {
         const PlanePoint &a = polygon[0], &b = polygon[i - 1], &c = polygon[i];
         const double u[] = {b[0] - a[0], b[1] - a[1]}, v[] = {c[0] - a[0], c[1] - a[1]};
         const double area = (u[0] * v[1] - u[1] * v[0]) / 2;

@@ -9,7 +9,7 @@ namespace pointrt {
 
 using PlanePoint = std::array<double, 2>;
 
-/// An area and its centroid; the sign of the area says in which sense the polygon's corners go around.
+/// An area and its centroid. The sign of the area is that of the polygon's orientation.
 struct PlaneArea {
     double area = 0;
     PlanePoint centroid{};
@@ -18,8 +18,8 @@ struct PlaneArea {
 /// Area 0 has no centroid.
 PlaneArea areaOf(const std::vector<PlanePoint>& polygon);
 
-/// The part of a polygon with low <= coordinate <= high on an axis. A polygon that is not convex may be left with edges
-/// there and back along the limits, which add nothing to areas.
+/// The part of a polygon with low <= coordinate <= high on an axis. The result of a concave polygon may have pairs of
+/// coincident edges along the limits, which add nothing to areas.
 std::vector<PlanePoint> clippedTo(const std::vector<PlanePoint>& polygon, std::size_t axis, double low, double high);
 
 } // namespace pointrt

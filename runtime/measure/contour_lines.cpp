@@ -10,7 +10,7 @@
 namespace pointrt {
 namespace {
 
-/// A side of a square, shared by two of them: twice the number of its lower left node, and one if it goes up.
+/// The id of a grid edge, shared by two squares: twice the number of its lower left node, plus one if it is vertical.
 using SideId = std::uint64_t;
 constexpr SideId kNoSide = std::numeric_limits<SideId>::max();
 
@@ -26,7 +26,7 @@ public:
             for (std::size_t column = 0; column + 1 < raster_.columns; ++column) addSquare(column, row);
         std::vector<ContourLine> found;
         for (const SideId start : starts_)
-            if (!has_former_.contains(start)) follow(start, found); // lines with two ends
+            if (!has_former_.contains(start)) follow(start, found); // lines with two ends; loops follow
         for (const SideId start : starts_) follow(start, found);
         return found;
     }
@@ -49,7 +49,8 @@ private:
         const std::array<SideId, kCorners> sides{node, node + 3, node + 2 * raster_.columns, node + 1};
         const bool is_saddle = above[0] == above[2] && above[1] == above[3];
         const bool joins_high = is_saddle && sum / kCorners >= level_;
-        // with high ground on its left, a line enters where corners fall, counterclockwise, and leaves where they rise
+        // with high ground on its left, going counterclockwise a line enters where corners fall and leaves where they
+        // rise
         for (std::size_t enters = 0; enters < kCorners; ++enters) {
             if (!above[enters] || above[(enters + 1) % kCorners]) continue;
             std::size_t leaves = (enters + (joins_high ? 1 : kCorners - 1)) % kCorners;
@@ -61,7 +62,7 @@ private:
         }
     }
 
-    /// Takes the line that starts at a side out of next_.
+    /// Removes the line that starts at a side from next_ and appends it.
     void follow(SideId start, std::vector<ContourLine>& found) {
         if (!next_.contains(start)) return;
         ContourLine line;

@@ -11,13 +11,13 @@ namespace {
 
 // Sizes in pixels of SVG, 96 an inch.
 constexpr double kPlanSide = 1000, kPlanMargin = 40, kBarHeight = 50;
-/// A label needs a line longer than this.
+/// Only lines longer than this are labelled.
 constexpr double kLabelled = 60;
 constexpr const char* kLineColor = "#8a5a2b"; // brown, as on topographic maps
 
 double dotOf(const Position& a, const Position& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 
-/// From the plan to pixels.
+/// The transform from the plan to pixels.
 struct PlanScale {
     double west = HUGE_VAL, east = -HUGE_VAL, south = HUGE_VAL, north = -HUGE_VAL;
     double pixels_per_unit = 1;
@@ -38,7 +38,7 @@ PlanScale planScale(const ContourDrawing& drawing) {
             scale.south = std::min(scale.south, north);
             scale.north = std::max(scale.north, north);
         }
-    if (!(scale.west <= scale.east)) scale.west = scale.east = scale.south = scale.north = 0; // no lines
+    if (!(scale.west <= scale.east)) scale.west = scale.east = scale.south = scale.north = 0; // there are no lines
     const double side = std::max(scale.east - scale.west, scale.north - scale.south);
     scale.pixels_per_unit = side > 0 ? kPlanSide / side : 1;
     return scale;
@@ -61,7 +61,7 @@ std::string labelText(const Contour& contour, const ContourDrawing& drawing, con
                    decimalText(contour.height, decimals));
 }
 
-/// Length in pixels, at most: enough to know whether a label fits.
+/// The length in pixels, but no more than is needed to know whether a label fits.
 double extentOf(const Contour& contour, const PlanScale& scale) {
     double most = 0;
     for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -73,14 +73,14 @@ double extentOf(const Contour& contour, const PlanScale& scale) {
     return most * scale.pixels_per_unit;
 }
 
-/// A bar of a round length, about a fifth of the plan.
+/// A scale bar of a round length, about a fifth of the plan.
 std::string scaleBar(const PlanScale& scale, const std::string& unit) {
     const double length = roundBelow(kPlanSide / 5 / scale.pixels_per_unit), y = scale.height() - kPlanMargin;
     return svgScaleBar(kPlanMargin, y, length, scale.pixels_per_unit, unit) +
            svgText(scale.width() - kPlanMargin, y, "end", "north is up");
 }
 
-/// Decimals of the heights: those of the smallest difference of two.
+/// Decimals to print heights with: those that resolve the smallest difference.
 int heightDecimals(const std::vector<Contour>& contours) {
     double interval = 0;
     for (std::size_t i = 1; i < contours.size(); ++i) {
@@ -100,7 +100,7 @@ std::string contourSvg(const ContourDrawing& drawing) {
     std::string labels;
     for (const Contour& each : drawing.contours)
         if (each.is_index && extentOf(each, scale) > kLabelled) labels += labelText(each, drawing, scale, decimals);
-    // first their outlines: few programs know paint-order
+    // outlines first, since few programs support paint-order
     text += "<g stroke=\"white\" stroke-width=\"4\">\n" + labels + "</g>\n<g fill=\"" + kLineColor + "\">\n" + labels;
     return text + "</g>\n" + scaleBar(scale, drawing.unit) + "</svg>\n";
 }

@@ -14,7 +14,7 @@ int decimalsOf(double step);
 
 /// The largest of 1, 2, 5, 10, 20 ... (and of 0.5, 0.2 ...) that is not above limit, which is above 0.
 double roundBelow(double limit);
-/// The smallest of them that is not below limit.
+/// The smallest such number that is not below limit.
 double roundAbove(double limit);
 
 } // namespace pointrt

@@ -14,7 +14,7 @@ namespace pointrt {
 template <std::size_t Size>
 using Row = std::array<double, Size>;
 
-/// Solves m x = b by Gaussian elimination with pivots. Nullopt if m is singular to rounding.
+/// Solves m x = b by Gaussian elimination with pivoting. Nullopt if m is singular to rounding.
 template <std::size_t Size>
 std::optional<Row<Size>> solveLinear(std::array<Row<Size>, Size> m, Row<Size> b) {
     constexpr double kSingular = 1e-12; // of pivots of equations whose largest coefficients are about 1
@@ -86,7 +86,7 @@ std::optional<Round<Dimensions>> fitRound(std::span<const Row<Dimensions>> point
         square += round.center[k] * round.center[k];
     }
     round.radius = std::sqrt(square);
-    constexpr int kSteps = 20; // each gains digits of the noise's share of the radius: 20 suffice for a share of 0.1
+    constexpr int kSteps = 20; // each step gains digits; 20 suffice if the noise is 0.1 of the radius
     for (int step = 0; step < kSteps; ++step) {
         const auto change = leastSquares<kUnknowns>(points, [&](const Row<Dimensions>& point) {
             Row<kUnknowns> row{};
@@ -98,7 +98,7 @@ std::optional<Round<Dimensions>> fitRound(std::span<const Row<Dimensions>> point
             row[Dimensions] = 1;
             return std::pair(row, distance - round.radius);
         });
-        if (!change) break; // an arc so short that the algebraic fit is as good as any
+        if (!change) break; // the arc is so short that the algebraic fit is as good as any
         for (std::size_t k = 0; k < Dimensions; ++k) round.center[k] += (*change)[k];
         round.radius += (*change)[Dimensions];
     }

@@ -11,7 +11,8 @@
 namespace pointrt {
 namespace {
 
-/// Spreads below this share of the largest one are rounding: doubles of seven-digit coordinates resolve 1e-9.
+/// Spreads below this share of the largest one are rounding errors: doubles resolve coordinates of seven digits to
+/// 1e-9.
 constexpr double kNoSpread = 1e-7;
 
 Vec3 signedBy(Vec3 normal) {

@@ -16,7 +16,8 @@ std::string coordinatesOf(const GeoFeature& feature, int decimals) {
     for (const Position& point : feature.positions) text += (text.empty() ? "" : ",") + jsonPosition(point, decimals);
     if (feature.kind == GeoKind::kPoint) return text;
     if (feature.kind == GeoKind::kLineString) return "[" + text + "]";
-    return "[[" + text + "," + jsonPosition(feature.positions.front(), decimals) + "]]"; // a closed ring
+    // rings are closed by their first point
+    return "[[" + text + "," + jsonPosition(feature.positions.front(), decimals) + "]]";
 }
 
 std::string propertiesOf(const GeoFeature& feature, int decimals) {

@@ -14,7 +14,7 @@ enum class GeoKind { kPoint, kLineString, kPolygon };
 
 struct GeoFeature {
     GeoKind kind = GeoKind::kPoint;
-    std::vector<Position> positions;                        ///< of a polygon, its corners, each once
+    std::vector<Position> positions;                        ///< of a polygon: its corners, each once
     std::vector<std::pair<std::string, double>> properties; ///< finite numbers; names without " and backslashes
 };
 

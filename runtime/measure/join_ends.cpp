@@ -10,17 +10,17 @@
 namespace pointrt {
 namespace {
 
-constexpr std::size_t kFittedPoints = 8; ///< of an end, for its direction
-/// Steps by which an end may pass a corner: the discs of a wall end up to a radius behind it, in either direction.
+constexpr std::size_t kFittedPoints = 8; ///< number of points that determine an end's direction
+/// Steps by which an end may overshoot a corner: the discs of a wall end up to a radius beyond it, in either direction.
 constexpr double kOvershoot = 2.5;
-constexpr double kStraight = 0.866;     ///< cos(30 degrees): ends that go on straight
-constexpr double kStraightSlope = 0.27; ///< tan(15 degrees): how far aside the other end may lie
-constexpr double kSharpest = 0.5; ///< cos(60 degrees): sharper corners are mostly lines beside each other in noise
+constexpr double kStraight = 0.866;     ///< cos(30 degrees): largest turn between ends that continue each other
+constexpr double kStraightSlope = 0.27; ///< tan(15 degrees): largest sideways offset of the other end
+constexpr double kSharpest = 0.5;       ///< cos(60 degrees): sharper corners are mostly adjacent lines in noise
 
 /// The end of a line: first or last point. Numbered 2 * line, and one more for the last.
 struct LineEnd {
     Vec2 at;
-    Vec2 out;              ///< unit length, away from the line
+    Vec2 out;              ///< unit length, pointing out of the line
     StraightLine straight; ///< fitted to the end
 };
 
@@ -95,7 +95,7 @@ private:
         return possible;
     }
 
-    /// A line joined to itself should enclose more than the gap.
+    /// Whether joining a line to itself would enclose too little.
     bool isTooShortToClose(std::uint32_t a, std::uint32_t b) const {
         return a / 2 == b / 2 && lengthOf(lines_[a / 2]) < 3 * length(ends_[a].at - ends_[b].at);
     }
@@ -108,7 +108,7 @@ private:
         trim(join.b, *join.corner);
     }
 
-    /// Drops the points past a corner.
+    /// Drops the points beyond a corner.
     void trim(std::uint32_t end, Vec2 corner) {
         std::vector<Vec2>& points = lines_[end / 2].points;
         const bool last = end % 2 == 1;

@@ -23,12 +23,13 @@ StraightLine fitStraight(std::span<const Vec2> points) {
         xy += d.x * d.y;
         yy += d.y * d.y;
     }
-    const double angle = std::atan2(2 * xy, xx - yy) / 2; // of the larger principal axis
+    const double angle = std::atan2(2 * xy, xx - yy) / 2; // angle of the principal axis with the larger spread
     return {center, {std::cos(angle), std::sin(angle)}};
 }
 
 std::optional<Vec2> crossingOf(const StraightLine& a, const StraightLine& b) {
-    constexpr double kParallel = 0.1; // sin(6 degrees): an error of a line moves the crossing ten times as far
+    // sin(6 degrees): at this angle, an error of a line moves the crossing ten times as far
+    constexpr double kParallel = 0.1;
     const double sine = cross(a.direction, b.direction);
     if (std::abs(sine) < kParallel) return {};
     return a.center + (cross(b.center - a.center, b.direction) / sine) * a.direction;

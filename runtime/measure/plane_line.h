@@ -26,7 +26,7 @@ struct StraightLine {
 /// The least-squares fit of distances. points: at least one; the direction of equal points is x.
 StraightLine fitStraight(std::span<const Vec2> points);
 
-/// None for lines that are parallel within 6 degrees, whose crossing is ill conditioned.
+/// The crossing of two lines. None if they are parallel within 6 degrees, as the crossing is then ill conditioned.
 std::optional<Vec2> crossingOf(const StraightLine& a, const StraightLine& b);
 
 /// The distance of a point from the segment between two others.

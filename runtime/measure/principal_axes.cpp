@@ -43,7 +43,7 @@ Matrix covariance(std::span<const Vec3> points, Vec3 center) {
 }
 
 Vec3 centroid(std::span<const Vec3> points) {
-    Vec3 sum; // of differences: national coordinates have seven digits
+    Vec3 sum; // of differences, since national coordinates have seven digits
     for (const Vec3& point : points) sum = sum + (point - points[0]);
     return points[0] + (1 / static_cast<double>(points.size())) * sum;
 }

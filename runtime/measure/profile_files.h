@@ -17,8 +17,8 @@ struct ProfileDrawing {
     bool has_band = false; ///< low and high differ from height
 };
 
-/// A row for each point: station, x, y, z, height, with layers their number, with a band low and high. Where nothing is
-/// hit, z, height, low and high are empty.
+/// A row for each point: station, x, y, z, height; with layers also their number, with a band also low and high. Where
+/// there is no hit, z, height, low and high are empty.
 std::string profileCsv(const ProfileDrawing& profile);
 /// In the scan's coordinates: a 3D polyline for each run of stations that are hit, or a point for each hit if stations
 /// have several.

@@ -11,7 +11,7 @@ namespace pointrt {
 /// Whether a station has several surfaces.
 bool hasLayers(const std::vector<ProfilePoint>& points);
 
-/// Consecutive points that are hit.
+/// Runs of consecutive points that are hits.
 std::vector<std::vector<ProfilePoint>> profileRuns(const std::vector<ProfilePoint>& points);
 
 } // namespace pointrt

@@ -12,15 +12,15 @@ namespace {
 
 // Sizes in pixels of SVG, 96 an inch.
 constexpr double kChartWidth = 1000, kChartLeft = 90, kChartTop = 30, kChartBottom = 60, kChartRight = 30;
-constexpr double kLeastHeight = 200, kMostHeight = 600; ///< of the area of the curve
-constexpr double kTickGap = 80;                         ///< between ticks: room for a label of ten digits
+constexpr double kLeastHeight = 200, kMostHeight = 600; ///< height of the chart's area
+constexpr double kTickGap = 80;                         ///< distance between ticks: room for a label of ten digits
 
-/// From stations and heights to pixels.
+/// The transform from stations and heights to pixels.
 struct ChartScale {
-    double start = 0, end = 0, low = 0, high = 0; ///< limits of stations and heights
-    double pixels_per_unit = 1;                   ///< of stations
-    double exaggeration = 1;                      ///< of heights
-    double area = 0;                              ///< height of the area of the curve
+    double start = 0, end = 0, low = 0, high = 0; ///< limits of the axes
+    double pixels_per_unit = 1;                   ///< along the stations
+    double exaggeration = 1;                      ///< factor for heights
+    double area = 0;                              ///< height of the chart's area
 
     double x(double station) const { return kChartLeft + (station - start) * pixels_per_unit; }
     double y(double height) const { return kChartTop + area - (height - low) * pixels_per_unit * exaggeration; }
@@ -36,7 +36,7 @@ ChartScale chartScale(const std::vector<ProfilePoint>& points) {
         scale.low = std::min(scale.low, point.low);
         scale.high = std::max(scale.high, point.high);
     }
-    if (scale.low > scale.high) scale.low = scale.high = 0; // nothing is hit
+    if (scale.low > scale.high) scale.low = scale.high = 0; // there are no hits
     const double length = scale.end > 0 ? scale.end : 1;
     scale.pixels_per_unit = (kChartWidth - kChartLeft - kChartRight) / length;
     const double pixels = (scale.high - scale.low) * scale.pixels_per_unit;

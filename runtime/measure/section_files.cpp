@@ -9,7 +9,7 @@
 namespace pointrt {
 namespace {
 
-/// Calls draw(section, line) for each line; the number of its section is from 1.
+/// Calls draw(section, line) for each line; sections are numbered from 1.
 template <typename Draw>
 void forSectionLines(const SectionDrawing& drawing, const Draw& draw) {
     for (std::size_t k = 0; k < drawing.sections.size(); ++k)

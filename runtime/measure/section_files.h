@@ -23,8 +23,8 @@ struct SectionDrawing {
     int epsg = 0; ///< of the coordinate system, 0 if unknown
 };
 
-/// The same lines in the axes of their drawings: x to the right, y up, z 0, from the plane's point. Without a
-/// coordinate system.
+/// The same lines in the coordinates of their drawings, x to the right, y up, z 0, relative to the plane's point.
+/// Without a coordinate system.
 SectionDrawing flattened(SectionDrawing drawing);
 
 /// A row for each point: the numbers of section and line, from 1, x, y, z. Closed lines end where they start.

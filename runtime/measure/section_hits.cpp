@@ -11,13 +11,14 @@
 namespace pointrt {
 namespace {
 
-constexpr double kSameAlong = 0.6, kSameAcross = 1; ///< steps, of hits that are merged
-/// Steps between linked hits: rays are a step apart, on slopes of 45 degrees they meet a line every 1.4 steps, and one
-/// may be missing.
+constexpr double kSameAlong = 0.6, kSameAcross = 1; ///< in steps: largest distance of hits to merge
+/// In steps, largest distance of hits to link: rays are one step apart, those on slopes of 45 degrees meet a line every
+/// 1.4 steps, and one hit may be missing.
 constexpr double kLinkReach = 2.5;
 constexpr double kSameDirection = 0.866; ///< cos(30 degrees)
-constexpr double kLinkDirection = 0.7;   ///< cos(45 degrees): of tangents of linked hits
-constexpr double kLinkSlope = 0.5;       ///< cos(60 degrees): between a tangent and the way to the neighbour
+constexpr double kLinkDirection = 0.7;   ///< cos(45 degrees): largest angle between tangents of linked hits
+/// Cos(60 degrees): largest angle between a tangent and the direction to the neighbour.
+constexpr double kLinkSlope = 0.5;
 
 std::vector<Vec2> positionsOf(std::span<const SectionHit> hits) {
     std::vector<Vec2> positions;
@@ -60,7 +61,7 @@ std::vector<Link> possibleLinks(std::span<const SectionHit> hits, double step) {
     return links;
 }
 
-/// Takes the line that starts at a hit out of the neighbours.
+/// Removes the line that starts at a hit from the neighbours and returns it.
 PlaneLine followed(std::uint32_t start, std::span<const SectionHit> hits, std::span<Neighbours> neighbours) {
     PlaneLine line;
     for (std::uint32_t at = start; at != kNobody;) {
@@ -111,7 +112,7 @@ std::vector<PlaneLine> linkHits(std::span<const SectionHit> hits, double step) {
     const auto hasOne = [&](const Neighbours& n) { return (n[kBack] == kNobody) != (n[kAhead] == kNobody); };
     for (std::uint32_t i = 0; i < hits.size(); ++i)
         if (hasOne(neighbours[i])) lines.push_back(followed(i, hits, neighbours));
-    for (std::uint32_t i = 0; i < hits.size(); ++i) // what is left are loops
+    for (std::uint32_t i = 0; i < hits.size(); ++i) // what remains are loops
         if (neighbours[i][kAhead] != kNobody) {
             lines.push_back(followed(i, hits, neighbours));
             lines.back().closed = true;

@@ -11,7 +11,7 @@ namespace pointrt {
 
 struct SectionHit {
     Vec2 at;
-    Vec2 along; ///< of the cut there, unit length; its sign says nothing
+    Vec2 along; ///< tangent of the cut there, unit length, of either sign
 };
 
 /// Merges hits on the same piece of a line: less than 0.6 steps apart along it and a step across.
@@ -25,8 +25,8 @@ std::vector<PlaneLine> linkHits(std::span<const SectionHit> hits, double step);
 /// extended by at most gap. Ends that overshoot a corner are cut off.
 std::vector<PlaneLine> joinEnds(std::vector<PlaneLine> lines, double step, double gap);
 
-/// A line of fewer points, no farther from any of the given ones than tolerance (Douglas and Peucker 1973). Corners
-/// are where the least-squares fits of the straight pieces between them cross, which averages noise.
+/// Simplifies a line: no given point is farther from the result than tolerance (Douglas and Peucker 1973). Corners are
+/// where the least-squares fits of the straight pieces between them cross, which averages noise.
 PlaneLine simplified(const PlaneLine& line, double tolerance);
 
 } // namespace pointrt

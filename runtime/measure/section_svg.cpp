@@ -15,7 +15,7 @@ constexpr double kSheetSide = 1000, kSheetMargin = 40, kNameHeight = 30, kSheetB
 /// A section's place on the sheet, in its own axes.
 struct SheetPart {
     double left = HUGE_VAL, right = -HUGE_VAL, bottom = HUGE_VAL, top = -HUGE_VAL;
-    double y = 0; ///< pixels, of top
+    double y = 0; ///< of its top, in pixels
 };
 
 SheetPart partOf(const DrawnSection& flat) {
@@ -27,7 +27,7 @@ SheetPart partOf(const DrawnSection& flat) {
             part.bottom = std::min(part.bottom, point[1]);
             part.top = std::max(part.top, point[1]);
         }
-    if (!(part.left <= part.right)) part.left = part.right = part.bottom = part.top = 0; // no lines
+    if (!(part.left <= part.right)) part.left = part.right = part.bottom = part.top = 0; // there are no lines
     return part;
 }
 

@@ -9,11 +9,11 @@ namespace {
 
 /// Points between two corners from which a fit is better than the line between the corners.
 constexpr std::size_t kLeastFitted = 3;
-/// cos(30 degrees): corners that turn less are those of a curve. There fits cross 2/3 of the sagitta outside, the given
-/// corner lies on the curve, and a corner between them leaves the curve its length.
+/// cos(30 degrees): smaller turns belong to curves. On a curve, fits cross outside it by 2/3 of the sagitta, whereas
+/// the given corner lies on it; a corner between the two preserves the curve's length.
 constexpr double kCurved = 0.866;
 
-/// The indices that Douglas and Peucker keep, first and last among them.
+/// The indices that Douglas and Peucker's method keeps, including the first and the last.
 std::vector<std::size_t> keptCorners(std::span<const Vec2> points, double tolerance) {
     std::vector<bool> is_kept(points.size());
     is_kept.front() = is_kept.back() = true;
@@ -39,7 +39,7 @@ std::vector<std::size_t> keptCorners(std::span<const Vec2> points, double tolera
     return corners;
 }
 
-/// A closed line as an open one that ends at the point where it starts: at its sharpest corner, since the start stays.
+/// Opens a closed line at its sharpest corner, where it then starts and ends, since the start is kept.
 std::vector<Vec2> opened(const PlaneLine& line, double tolerance) {
     std::vector<Vec2> points = line.points;
     const auto farthest =
@@ -99,8 +99,8 @@ private:
         return 0.5 * (before.nearestTo(given) + after.nearestTo(given));
     }
 
-    /// Moves the corners of pieces that lie too far from a point back to where they were given. Returns whether any
-    /// moved: repeated calls end, since each corner moves back only once.
+    /// Moves a corner back to its given place if a point is too far from the pieces at it. Returns whether any moved;
+    /// repeated calls end, since each corner moves back only once.
     bool restoreFarPieces(std::vector<Vec2>& fitted) const {
         bool is_changed = false;
         for (std::size_t k = 0; k + 1 < corners_.size(); ++k) {
@@ -132,7 +132,7 @@ private:
 } // namespace
 
 PlaneLine simplified(const PlaneLine& line, double tolerance) {
-    constexpr std::size_t kLeastClosed = 4; // a triangle has nothing to leave out
+    constexpr std::size_t kLeastClosed = 4; // a triangle cannot be simplified
     if (line.points.size() < (line.closed ? kLeastClosed : 3)) return line;
     const std::vector<Vec2> points = line.closed ? opened(line, tolerance) : line.points;
     return CornerFit(points, line.closed, tolerance).fitted();

@@ -18,21 +18,23 @@ constexpr const char* kCastExamples =
     "  pointrt-rays cast city.proset --rays rays.npy --memory 4G -o hits.npz\n"
     "  make_rays | pointrt-rays cast site.pro --rays - --any -o - | use_answers\n";
 constexpr const char* kCastNotes =
-    "Rays are origin and direction in the scan's coordinates: a NumPy array (N, 6) of float32 or float64, or text\n"
-    "with six numbers a line. Columns of hits: t_hit (in lengths of the direction; inf for a miss), splat_ids and\n"
+    "A ray is an origin and a direction in the scan's coordinates. Rays are a NumPy array (N, 6) of float32 or "
+    "float64,\n"
+    "or text with six numbers per line. Columns of hits: t_hit (in lengths of the direction; inf for a miss), "
+    "splat_ids and\n"
     "instance_ids (4294967295 for a miss), tile_ids (tile sets only), normals, positions. See docs/RAYS.md.";
 
 void addOptions(CommandLine& app, CastOptions& options) {
     addScene(app, options);
     addOutput(app, options,
               "Hits, replacing an existing file: .npz, .npy (records), .csv or .ply (hit points); - is standard "
-              "output: an array for rays in an array, text for rays in text",
+              "output, as a NumPy array or text like the rays",
               ".npz .npy .csv .ply");
     app.add_option("--rays", options.rays, "Rays: .npy or text; - is standard input")->required()->type_name("FILE");
     completes(app, "--rays", ".npy .csv .txt");
     app.add_flag("--any", options.any, "Test occlusion only, which is faster; writes the column hit");
     app.add_option("--attributes", options.attributes,
-                   "Attributes of the scan to write at the hits, e.g. intensity,gps_time")
+                   "Attributes of the scan to write for each hit, e.g. intensity,gps_time")
         ->type_name("NAMES")
         ->delimiter(',')
         ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
@@ -47,7 +49,7 @@ void addOptions(CommandLine& app, CastOptions& options) {
 
 void checkOptions(const CastOptions& options) {
     const auto usage = [](const std::string& text) { throw Error(ExitCode::kBadUsage, text); };
-    if (options.any && !options.attributes.empty()) usage("--any and --attributes exclude each other");
+    if (options.any && !options.attributes.empty()) usage("--any and --attributes cannot be combined");
     if (options.rays == "-" && isTerminal(kStandardInput)) usage("--rays -: standard input is a terminal");
     checkCommonOptions(options, {options.rays}, "hits");
 }

@@ -13,7 +13,7 @@
 namespace pointrt {
 
 struct CastOptions : CommonOptions {
-    std::string rays;                    ///< a file, or "-"
+    std::string rays;                    ///< path of a file, or "-"
     bool any = false;                    ///< occlusion only
     std::vector<std::string> attributes; ///< names
     RayLimits limits;

@@ -33,7 +33,7 @@ std::array<double, 6> boxOf(const std::string& text) {
 
 void checkStandardOutput(const CommonOptions& options, const std::string& what) {
     if (options.output != "-") return;
-    if (options.stats == "-") refuseUsage("-o - and --stats - exclude each other: both write to standard output");
+    if (options.stats == "-") refuseUsage("-o - and --stats - cannot be combined: both write to standard output");
     if (isTerminal(kStandardOutput))
         refuseUsage("-o -: standard output is a terminal; redirect the " + what + " to a file or a pipe");
 }
@@ -63,15 +63,14 @@ void addDeviceAndReport(CommandLine& app, CommonOptions& options) {
            [&options](const std::vector<std::string>& texts) {
                for (const std::string& text : texts) options.scene_options.clips.push_back(boxOf(text));
            },
-           "Let rays hit only what is inside this box of scans, in their coordinates; with several boxes, what is "
-           "inside "
-           "all of them. Shapes stay whole (default: everything)")
+           "Let rays hit only the parts of scans inside this box, in the scans' coordinates. Several boxes: only what "
+           "is inside all of them. Shapes are not clipped (default: no clipping)")
         ->type_name("MINX,MINY,MINZ,MAXX,MAXY,MAXZ")
         ->allow_extra_args(false)
         ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
     app.add_option("--only", options.scene_options.filters,
-                   "Let rays hit only the points of scans whose attribute has these values: class=2,6 or height=10:25 "
-                   "(from and to). With several, what all of them show (default: everything)")
+                   "Let rays hit only points whose attribute has one of these values, e.g. class=2,6, or lies in this "
+                   "range, e.g. height=10:25. Several filters: only points that match all of them (default: no filter)")
         ->type_name("NAME=VALUES")
         ->allow_extra_args(false)
         ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
@@ -93,7 +92,7 @@ void addDeviceAndReport(CommandLine& app, CommonOptions& options) {
 }
 
 void checkCommonOptions(const CommonOptions& options, std::vector<std::string> inputs, const std::string& what) {
-    if (options.quiet && options.verbose) refuseUsage("-q and -v exclude each other");
+    if (options.quiet && options.verbose) refuseUsage("-q and -v cannot be combined");
     checkStandardOutput(options, what);
     inputs.insert(inputs.end(), options.scene.begin(), options.scene.end());
     for (const std::string& input : inputs)

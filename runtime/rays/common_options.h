@@ -20,19 +20,19 @@ struct CommonOptions {
     bool quiet = false, verbose = false;
 };
 
-/// When exit code 1 is returned.
+/// The meaning of exit code 1 in --help.
 inline constexpr const char* kWrongInput = "an input cannot be read or is malformed";
 
-/// SCENE, one or several.
+/// Adds SCENE, one or several.
 void addScene(CommandLine& app, CommonOptions& options);
 /// -o.
 /// @param suffixes of output files, separated by spaces
 void addOutput(CommandLine& app, CommonOptions& options, const std::string& help, const std::string& suffixes,
                bool required = true);
-/// --memory, --device, --stats, -q, -v.
+/// Adds --memory, --device, --stats, -q, -v.
 void addDeviceAndReport(CommandLine& app, CommonOptions& options);
 
-/// Throws Error kBadUsage if options exclude each other, two outputs go to standard output, standard output is a
+/// Throws Error kBadUsage if options cannot be combined, two outputs go to standard output, standard output is a
 /// terminal, or an output is an input.
 /// @param inputs files besides the scene's; "-" is ignored
 /// @param what is written, for messages: "hits"

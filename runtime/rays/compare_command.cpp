@@ -24,15 +24,16 @@ constexpr const char* kCompareExamples = "  pointrt-rays compare before.pro afte
                                          "  pointrt-rays compare before.pro after.pro -o change.pro\n"
                                          "  pointrt-view change.pro --color-by distance --legend on\n";
 constexpr const char* kCompareNotes =
-    "From each point of the second scan a ray goes each way along the point's normal to the first scan's surface; the\n"
-    "nearer hit counts. The column distance is positive where the point lies in front of that surface, on the side of\n"
-    "the point's normal, negative behind it, and NaN where there is no surface within --max. See docs/RAYS.md.";
+    "Two rays start at each point of the second scan, forwards and backwards along its normal; the nearer hit on the "
+    "first\n"
+    "scan counts. The column distance is positive where the point lies in front of that surface, on the side to which\n"
+    "the point's normal points, negative behind it, and NaN where there is no surface within --max. See docs/RAYS.md.";
 
 /// Median radii of the reference that --max is by default: ten times the spacing of its points.
 constexpr double kMostRadii = 20;
 
 struct CompareOptions : StudyOptions {
-    double most = 0; ///< 0: kMostRadii
+    double most = 0; ///< 0: the default, kMostRadii radii
     std::optional<double> tolerance;
     bool json = false;
 };
@@ -41,8 +42,8 @@ void addOptions(CommandLine& app, CompareOptions& options) {
     constexpr double kFarthest = 1e30; // the limit of coordinates in .pro files
     app.option_defaults()->multi_option_policy(CLI::MultiOptionPolicy::TakeLast);
     app.add_option("SCENE", options.scene,
-                   "Two scans: the reference, a .pro file, tile set (.proset) or scene file (.toml), and the one to "
-                   "compare, one of these or points with normals in a .ply or text file")
+                   "Two scans. First the reference: a .pro file, tile set (.proset) or scene file (.toml). Then the "
+                   "scan to compare: one of these, or a .ply or text file of points with normals")
         ->required()
         ->type_name("")
         ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);

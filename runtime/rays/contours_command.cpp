@@ -19,14 +19,15 @@ namespace pointrt {
 namespace {
 
 constexpr const char* kContoursName = "pointrt-rays contours";
-constexpr const char* kContoursAbout = "Draws lines of equal height of the surface seen from above.";
+constexpr const char* kContoursAbout = "Draws contour lines of the surface seen from above.";
 constexpr const char* kContoursExamples =
     "  pointrt-rays contours site.pro --interval 0.5 -o contours.dxf\n"
     "  pointrt-rays contours forest.pro --only class=2 --interval 1 --shortest 20 -o ground.geojson\n"
     "  pointrt-rays contours quarry.proset --cell 0.25 -o plan.svg\n";
 constexpr const char* kContoursNotes =
-    "Vertical rays through the nodes of a raster meet the first surface; lines are linear between them, and end where\n"
-    "there is no surface. Every fifth height is an index contour: in a DXF layer of its own, labelled in SVG. See\n"
+    "Vertical rays through the nodes of a raster find the heights of the first surface; contours are interpolated\n"
+    "linearly between nodes and end where there is no surface. Every fifth contour is an index contour, which has its\n"
+    "own layer in DXF files and labels in SVG files. See\n"
     "docs/RAYS.md.";
 
 struct ContoursOptions : CommonOptions {
@@ -41,12 +42,12 @@ void addOptions(CommandLine& app, ContoursOptions& options) {
               "The lines, replacing an existing file: .dxf or .geojson in the scan's coordinates, or .svg, a plan",
               ".dxf .geojson .svg");
     addValue(app, "--interval", "LENGTH",
-             "Difference between the heights of lines (default: a round number that gives 10 to 25 lines)",
+             "Height difference between contour lines (default: a round number that gives 10 to 25 heights)",
              [&](const std::string& text) { options.rules.interval = parseRealAbove(text, 0, kFarthest); });
     addValue(app, "--cell", "LENGTH",
-             "Side of the cells of the raster, one ray each (default: a thousandth of the scan's longer side)",
+             "Cell size of the raster of rays (default: a thousandth of the scan's longer side)",
              [&](const std::string& text) { options.rules.cell = parseRealAbove(text, 0, kFarthest); });
-    addValue(app, "--shortest", "LENGTH", "Leave out lines that are shorter (default 0)",
+    addValue(app, "--shortest", "LENGTH", "Leave out lines shorter than this (default 0)",
              [&](const std::string& text) { options.rules.shortest = parseReal(text, 0, kFarthest); });
     addValue(app, "--up", "X,Y,Z", "Up in the scan's coordinates (default: the scan's up, else +Z)",
              [&](const std::string& text) { options.up = parseTriple(text); });

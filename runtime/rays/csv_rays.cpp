@@ -15,9 +15,9 @@
 namespace pointrt {
 namespace {
 
-constexpr std::size_t kNumbersMost = 6;        // of a row
-constexpr std::size_t kReadBytes = 1u << 20;   // at once: reading then takes no time beside parsing
-constexpr std::size_t kLongestLine = 1u << 16; // longer: not a list of rays
+constexpr std::size_t kNumbersMost = 6;      // largest number of numbers in a row
+constexpr std::size_t kReadBytes = 1u << 20; // bytes per read, so that reading takes little time compared with parsing
+constexpr std::size_t kLongestLine = 1u << 16; // longer lines mean that it is not a list of rays
 
 /// The numbers of a line.
 struct Parsed {
@@ -115,7 +115,7 @@ private:
         fail("the columns must be " + expected);
     }
 
-    /// line is valid until the next call. False at the end.
+    /// Reads the next line, which is valid until the next call. False at the end.
     bool nextLine(std::string_view& line) {
         ++line_;
         std::size_t end = text_.find('\n', at_);

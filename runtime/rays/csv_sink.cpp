@@ -48,7 +48,7 @@ public:
     void finish() override { file_.commit(); }
 
 private:
-    static constexpr std::size_t kFlushBytes = 1u << 20; // many lines, small compared to a block
+    static constexpr std::size_t kFlushBytes = 1u << 20; // many lines, but little compared with a block
 
     void flush() {
         file_.append({reinterpret_cast<const std::uint8_t*>(text_.data()), text_.size()});

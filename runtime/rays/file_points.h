@@ -11,7 +11,7 @@
 
 namespace pointrt {
 
-/// Reads all columns but the replaced ones. Normals and radii in the file are those of the points' discs.
+/// Reads all columns but the replaced ones. Normals and radii in the file are used for the points' discs.
 /// @param file for messages
 /// @param scene supplies the coordinate system, unit and position step that the file lacks
 std::unique_ptr<PointSource> filePoints(const std::string& file, std::unique_ptr<PointReader> reader,

@@ -14,7 +14,7 @@ const RowKind kPositions{"point", "points", {3}, "3: x, y, z", "(N, 3): position
 const RowKind kPlanePositions{"point",        "points", {2, 3}, "2: x, y, or 3: x, y, z", "(N, 2) or (N, 3): positions",
                               {"x", "y", "z"}};
 
-/// Whether text is a list of numbers, not the name of a file.
+/// Whether text is a list of numbers rather than the name of a file.
 bool isList(const std::string& text) {
     return text != "-" && text.find(',') != text.npos && text.find_first_not_of("0123456789+-.eE, ;\t\n") == text.npos;
 }

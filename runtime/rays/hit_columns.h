@@ -18,8 +18,8 @@ struct HitColumn {
     std::uint32_t type = 0;          ///< PRO_TYPE_*
     std::uint32_t components = 1;    ///< numbers per ray
     bool is_flag = false;            ///< a byte, 0 or 1
-    bool is_attribute = false;       ///< of the scan, by the scan's name for it
-    std::vector<std::byte> values{}; ///< of the rays of a block
+    bool is_attribute = false;       ///< an attribute of the scan, with the scan's name for it
+    std::vector<std::byte> values{}; ///< of all rays of a block
 
     std::size_t rowBytes() const;
     void resize(std::size_t count) { values.resize(count * rowBytes()); }
@@ -41,10 +41,10 @@ std::vector<HitColumn> occlusionColumns();
 
 const HitColumn& columnNamed(std::span<const HitColumn> columns, const std::string& name);
 
-/// The message for a name that is none of all.
+/// The message for a name that is not among `all`.
 std::string unknownAttribute(const std::string& name, const std::vector<SceneAttribute>& all);
 
-/// The column's name with _ for characters that file headers cannot hold; attributes may have any name.
+/// The column's name with _ in place of characters that file headers do not allow; attributes may have any name.
 std::string headerName(const HitColumn& column);
 
 /// Casts rays and fills the columns, which come from hitColumns or occlusionColumns. Returns the number of hits. Throws

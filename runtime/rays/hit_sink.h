@@ -12,8 +12,8 @@
 
 namespace pointrt {
 
-/// The file appears under its name, complete, on finish; standard output is written at once. Every function throws
-/// Error kCannotWrite "PATH: reason".
+/// A file appears under its name when finish has completed it; standard output is written at once. Every function
+/// throws Error kCannotWrite "PATH: reason".
 class HitSink {
 public:
     virtual ~HitSink() = default;
@@ -31,11 +31,11 @@ struct SinkRequest {
 
 enum class SinkKind { kNpz, kNpy, kCsv, kPly };
 
-/// By the suffix; "-" is an array if the number of rays is known, else text. Throws Error kBadUsage for other suffixes,
-/// and for PLY with any.
+/// Opens the output that the suffix selects; "-" is an array if the number of rays is known, else text. Throws Error
+/// kBadUsage for other suffixes, and for PLY with any.
 SinkKind sinkKind(const SinkRequest& request);
 
-/// @param columns those of all blocks; their values are ignored
+/// @param columns the columns that all blocks will have; their values are ignored
 std::unique_ptr<HitSink> openSink(const SinkRequest& request, std::span<const HitColumn> columns);
 
 } // namespace pointrt

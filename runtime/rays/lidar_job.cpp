@@ -57,11 +57,11 @@ constexpr double kPositionStep_m = 1e-4;
 /// Points inherit the coordinate system and records of the first scan.
 std::string metadataOf(const std::string& path) {
     if (isTileSet(path)) return nlohmann::json{{"world", {{"crs", readTileSet(path).crs}}}}.dump();
-    if (path.ends_with(".toml")) return {};                                // instances may be moved
+    if (path.ends_with(".toml")) return {};                                // instances in scene files may be moved
     return std::string(ProFile(path, PRO_OPEN_SKIP_CHECKSUMS).metadata()); // checked when the scene was opened
 }
 
-/// The trajectory stands in for the bounds of the points, which LAS needs for its offset.
+/// Uses the trajectory in place of the points' bounds, from which LAS derives its offset.
 PointOutline outlineOf(const LidarOptions& options, const TraceScene& scene, const LidarColumns& columns,
                        const LidarRun& run) {
     PointOutline outline;
@@ -106,7 +106,7 @@ void simulateToFile(const LidarOptions& options, const TraceScene& scene, const 
     timed(outcome.seconds.write, [&] { sink->finish(); });
 }
 
-/// Checks inputs and outputs first, before the work that takes time.
+/// Checks inputs and outputs before starting the work that takes time.
 LidarOutcome simulate(const LidarOptions& options) {
     LidarOutcome outcome;
     timed(outcome.seconds.total, [&] {

@@ -32,9 +32,11 @@ void addWhere(CommandLine& app, LidarOptions& options) {
         ->delimiter(',')
         ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
         ->excludes(trajectory);
-    app.add_option("--start", options.start_s, "Start at this time of the trajectory, in seconds")->type_name("S");
-    app.add_option("--duration", options.duration_s,
-                   "Scan for S seconds (default: the whole trajectory; from one place, one rotation, frame or sweep)")
+    app.add_option("--start", options.start_s, "Start at this time of the trajectory, in seconds (default: its start)")
+        ->type_name("S");
+    app.add_option(
+           "--duration", options.duration_s,
+           "Scan for S seconds (default: the whole trajectory; with a fixed scanner, one rotation, frame or sweep)")
         ->type_name("S");
 }
 

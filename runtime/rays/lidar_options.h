@@ -15,7 +15,7 @@ namespace pointrt {
 struct LidarOptions : CommonOptions {
     std::string sensor;       ///< a sensor file
     std::string trajectory;   ///< a file, or empty
-    std::vector<double> pose; ///< x, y, z and yaw, pitch, roll in degrees; or the first three; or none
+    std::vector<double> pose; ///< x, y, z; or x, y, z, yaw, pitch, roll with angles in degrees; or empty
     std::optional<double> start_s, duration_s;
     double metres_per_unit = 0; ///< 0: the scans' own
     std::uint64_t seed = 0;

@@ -15,7 +15,7 @@ struct LineRun {
     double open_s = 0, cast_s = 0, write_s = 0, total_s = 0;
 };
 
-/// Prints what -v asks for, and writes the report of --stats.
+/// Prints the lines of -v, and writes the report of --stats.
 void reportRun(const CommonOptions& options, const LineRun& run);
 
 } // namespace pointrt

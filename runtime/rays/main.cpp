@@ -34,7 +34,7 @@ constexpr RayCommand kCommands[] = {
     {"viewshed", "points visible to observers", viewshedCommand, viewshedText},
 };
 
-/// The output of an option in place of a command; empty if the tool has no such option.
+/// The output of an option given instead of a command; empty if the tool has no such option.
 std::string answer(std::string_view option, const char* value) {
     if (option == "--version") return "pointrt-rays " POINTRT_VERSION "\n";
     if (option == "--help" || option == "-h") return helpText(toolText(kCommands, POINTRT_VERSION));

@@ -48,14 +48,15 @@ struct MeasureOptions : CommonOptions {
 
 void addVolumeOptions(CommandLine& app, MeasureOptions& options) {
     constexpr double kFarthest = 1e30; // the limit of coordinates in .pro files
-    addValue(app, "--base", "rim|HEIGHT", "Base of a volume: the plane fitted to the rim, or a height (default rim)",
+    addValue(app, "--base", "rim|HEIGHT",
+             "For volumes: the base, either rim (a plane fitted to the rim) or a height (default rim)",
              [&](const std::string& text) {
                  options.has_volume_options = true;
                  options.base_height.reset();
                  if (text != "rim") options.base_height = parseReal(text, -kFarthest, kFarthest);
              });
     addValue(app, "--cell", "SIZE",
-             "Side of the cells of a volume's raster, one ray each (default: a thousandth of the rim's longer side)",
+             "For volumes: cell size of the raster of rays (default: a thousandth of the rim's longer side)",
              [&](const std::string& text) {
                  options.has_volume_options = true;
                  options.cell = parseRealAbove(text, 0, kFarthest);
@@ -77,8 +78,9 @@ void addOptions(CommandLine& app, MeasureOptions& options) {
         ->required()
         ->type_name("POINTS|FILE");
     completes(app, "--points", ".csv .txt .npy");
-    app.add_flag("--snap", options.snap,
-                 "Move each point to the nearest surface first; those of a volume to the surface seen from above");
+    app.add_flag(
+        "--snap", options.snap,
+        "First move each point to the nearest surface, or for a volume vertically to the surface seen from above");
     addVolumeOptions(app, options);
     addValue(app, "--up", "X,Y,Z", "Up in the scan's coordinates (default: the scan's up, else +Z)",
              [&](const std::string& text) { options.up = parseTriple(text); });
@@ -96,7 +98,7 @@ void checkOptions(const MeasureOptions& options) {
     checkCommonOptions(options, {options.points}, "results");
 }
 
-/// Moves points to the surface. Returns the largest distance moved.
+/// Moves points to the surface. Returns the largest distance that one moved.
 double snapPoints(const TraceScene& scene, MeasureKind kind, const Position& up, std::vector<Position>& points) {
     const std::vector<Position> snapped =
         kind == MeasureKind::kVolume ? dropToSurface(scene, points, up) : snapToSurface(scene, points);
@@ -111,7 +113,7 @@ double snapPoints(const TraceScene& scene, MeasureKind kind, const Position& up,
     return most;
 }
 
-/// Distances between given points need no device.
+/// Measurements between given points need no device, but others do.
 bool needsScene(const MeasureOptions& options) { return options.snap || options.kind == MeasureKind::kVolume; }
 
 struct MeasureRun {
@@ -157,7 +159,7 @@ void warnOfHoles(const MeasureOptions& options, const Measured& measured) {
     constexpr double kAllCovered = 1 - 1e-4; // as printed
     for (const ResultNumber& number : measured.numbers)
         if (number.name == "covered" && number.value < kAllCovered)
-            printNote(options, "measure: a part of the rim has no surface and does not count: see covered");
+            printNote(options, "measure: a part of the area has no surface and is not counted: see covered");
 }
 
 void measure(const MeasureOptions& options, MeasureRun& run) {

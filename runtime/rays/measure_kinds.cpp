@@ -11,7 +11,7 @@
 namespace pointrt {
 namespace {
 
-/// Exactly count points.
+/// Throws unless there are exactly count points.
 void checkCount(const std::vector<Position>& points, std::size_t count, const std::string& what) {
     if (points.size() != count)
         throw Error(ExitCode::kBadUsage, "--points: " + what + " has " + std::to_string(count) + " points, not " +
@@ -68,7 +68,7 @@ std::vector<ResultNumber> roundNumbers(double radius, const Position& center, do
             {"center_y", center[1]}, {"center_z", center[2]},  {"rms", rms}};
 }
 
-/// A polygon of 1 degree steps, within 4e-5 of the radius.
+/// The circle as a polygon with steps of 1 degree, which is within 4e-5 of the radius.
 std::vector<Position> circleOutline(const FittedCircle& circle) {
     constexpr int kSteps = 360;
     const Vec3 normal = vectorOf(circle.normal);
@@ -122,7 +122,7 @@ Measured measurePoints(MeasureKind kind, const std::vector<Position>& points, co
 }
 
 Measured measuredVolume(const Volume& volume, const std::vector<Position>& rim) {
-    const double share = std::min(1.0, volume.covered / volume.area); // above 1 by rounding
+    const double share = std::min(1.0, volume.covered / volume.area); // rounding may make it more than 1
     return {{{"cut", volume.cut, Quantity::kVolume},
              {"fill", volume.fill, Quantity::kVolume},
              {"net", volume.net(), Quantity::kVolume},

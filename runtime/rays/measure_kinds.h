@@ -25,12 +25,12 @@ inline constexpr std::array kMeasureKindNames = {
 struct Measured {
     std::vector<ResultNumber> numbers;
     std::vector<Position> points;    ///< as measured
-    std::vector<Position> outline;   ///< drawn in place of points, if not empty: a circle, the centre of a sphere
-    GeoKind drawn = GeoKind::kPoint; ///< what points or outline are
+    std::vector<Position> outline;   ///< drawn in place of points unless empty: a circle, or the centre of a sphere
+    GeoKind drawn = GeoKind::kPoint; ///< the geometry of points or outline
 };
 
-/// Everything but volumes, which need the scene. Throws Error kBadUsage for a number of points that does not fit, and
-/// TraceError as measurePath and fits do.
+/// All kinds but volumes, which need the scene. Throws Error kBadUsage for a wrong number of points, and TraceError as
+/// measurePath and fits do.
 Measured measurePoints(MeasureKind kind, const std::vector<Position>& points, const Position& up);
 
 Measured measuredVolume(const Volume& volume, const std::vector<Position>& rim);

@@ -40,7 +40,7 @@ NpyHeader readNpyHeader(ByteInput& input) {
 
 std::string npyHeader(const std::string& descr, const std::string& shape, std::size_t least) {
     std::string text = "{'descr': " + descr + ", 'fortran_order': False, 'shape': " + shape + ", }";
-    const std::size_t fixed = kNpyMagic.size() + 4; // version, and two bytes of size
+    const std::size_t fixed = kNpyMagic.size() + 4; // version, and the two bytes of the header's size
     std::size_t bytes = std::max(fixed + text.size() + 1, least);
     bytes = (bytes + kAlignment - 1) / kAlignment * kAlignment;
     text.resize(bytes - fixed - 1, ' ');

@@ -9,13 +9,13 @@
 
 namespace pointrt {
 
-/// Reads the header; input is at the first number afterwards. Throws Error kBadInput "NAME: reason".
+/// Reads the header and leaves input at the first number. Throws Error kBadInput "NAME: reason".
 NpyHeader readNpyHeader(ByteInput& input);
 
 /// The header of an array in C order.
 /// @param descr as Python writes it, quotes and all: "'<f8'", or a list of fields
 /// @param shape as "(3, 6)"
-/// @param least minimum size in bytes, to leave room for a longer shape
+/// @param least minimum size of the header in bytes, to leave room for a longer shape
 std::string npyHeader(const std::string& descr, const std::string& shape, std::size_t least = 0);
 
 } // namespace pointrt

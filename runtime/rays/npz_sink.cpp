@@ -46,7 +46,7 @@ constexpr unsigned kVersion = 45;      // needed to extract: Zip64
 constexpr unsigned kStored = 0;        // uncompressed: hits hardly compress
 constexpr unsigned kDate = 1 << 5 | 1; // 1980-01-01, so that equal hits give equal bytes
 constexpr unsigned kZip64 = 1;         // ID of the extra field
-constexpr std::uint32_t kIsIn64 = ~0u; // in place of a size that Zip64 has
+constexpr std::uint32_t kIsIn64 = ~0u; // in a 32-bit size field: see the Zip64 field
 constexpr unsigned kUtf8 = 1 << 11;    // attributes may have non-ASCII names
 
 struct Member {

@@ -37,7 +37,7 @@ class PlySink final : public HitSink {
 public:
     PlySink(const std::string& path, std::span<const HitColumn> columns)
         : path_(path), points_(openPointSink(path, outlineOf(columns))) {
-        block_.columns.resize(columns.size()); // positions are not among them, the ray index is
+        block_.columns.resize(columns.size()); // positions are not among the columns, but the ray index is
     }
 
     void add(std::span<const HitColumn> columns, std::uint64_t first) override {

@@ -11,7 +11,7 @@
 
 namespace pointrt {
 
-/// Points with their columns, and what rays from them need.
+/// Points with their columns, and the data that rays from them need.
 struct StudyBlock {
     PointBlock points;
     std::vector<float> normals, radii, noise; ///< each may be empty
@@ -34,9 +34,8 @@ public:
 /// Whether a column is an attribute with one of these names.
 bool isReplaced(const PointColumn& column, const std::vector<std::string>& names);
 
-/// Opens the points of a .pro, tile set, scene file, LAS, LAZ or PLY file, a NumPy array or text; of the scene if file
-/// is
-/// "". A file without a coordinate system inherits the scene's. Throws Error kBadInput "FILE: reason".
+/// Opens the points of a .pro, tile set, scene file, LAS, LAZ or PLY file, NumPy array or text file, or those of the
+/// scene if file is "". A file without a coordinate system inherits the scene's. Throws Error kBadInput "FILE: reason".
 /// @param replaced columns that the results replace
 std::unique_ptr<PointSource> openPoints(const std::string& file, const std::vector<std::string>& scene,
                                         const std::vector<std::string>& replaced);

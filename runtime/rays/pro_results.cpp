@@ -71,7 +71,7 @@ private:
 
     std::string output_;
     std::vector<PointColumn> results_;
-    std::vector<std::vector<std::byte>> values_; ///< of each result
+    std::vector<std::vector<std::byte>> values_; ///< values of each result
     std::optional<ProFile> file_;
     std::vector<pro_attribute> attributes_;
 };

@@ -30,9 +30,9 @@ constexpr const char* kProfileExamples =
     "  pointrt-rays profile hall.pro --line \"0,5 40,5\" --from below --start 1.5 -o ceiling.csv\n"
     "  pointrt-rays profile forest.pro --line axis.csv --all -o layers.csv\n";
 constexpr const char* kProfileNotes =
-    "Vertical rays at stations along the line meet the first surface, or with --all every one. Columns of .csv:\n"
-    "station (distance along the line in plan), x, y, z, height (along up), layer with --all, low and high with\n"
-    "--width; z and height are empty where no surface is met. See docs/RAYS.md.";
+    "Vertical rays at stations along the line find the first surface, or with --all every surface. Columns of .csv:\n"
+    "station (horizontal distance along the line), x, y, z, height (along up), layer with --all, low and high with\n"
+    "--width; z and height are empty where there is no surface. See docs/RAYS.md.";
 constexpr std::array kProfileSideNames = {Name{"above", ProfileSide::kAbove}, Name{"below", ProfileSide::kBelow}};
 
 struct ProfileOptions : CommonOptions {
@@ -53,17 +53,17 @@ void addOptions(CommandLine& app, ProfileOptions& options) {
         ->required()
         ->type_name("POINTS|FILE");
     completes(app, "--line", ".csv .txt .npy");
-    addValue(app, "--step", "LENGTH", "Distance of stations along the line (default: a thousandth of the line)",
+    addValue(app, "--step", "LENGTH", "Distance between stations along the line (default: a thousandth of the line)",
              [&](const std::string& text) { options.rules.step = parseRealAbove(text, 0, kFarthest); });
     addValue(app, "--width", "LENGTH",
-             "Width of a band along the line: stations have the median of the surface across it, and its lowest and "
-             "highest point (default: one ray a station)",
+             "Width of a band along the line: a station's height is the median across the band, and the lowest and "
+             "highest are written too (default: one ray per station)",
              [&](const std::string& text) { options.rules.width = parseRealAbove(text, 0, kFarthest); });
     addValue(app, "--from", joinedNames(kProfileSideNames, "|"), "Side where rays start (default above)",
              [&](const std::string& text) { options.rules.from = parseName(kProfileSideNames, text); });
-    addValue(app, "--start", "HEIGHT", "Height where rays start, e.g. inside a room (default: outside of the scan)",
+    addValue(app, "--start", "HEIGHT", "Height at which rays start, e.g. inside a room (default: outside the scan)",
              [&](const std::string& text) { options.rules.start_height = parseReal(text, -kFarthest, kFarthest); });
-    app.add_flag("--all", options.rules.all, "Write all surfaces on the rays, not only the first");
+    app.add_flag("--all", options.rules.all, "Write every surface that a ray passes through, not only the first");
     addValue(app, "--apart", "LENGTH",
              "With --all: count surfaces closer together than this as one (default: the scan's point spacing, two "
              "median radii)",
@@ -77,7 +77,7 @@ void addOptions(CommandLine& app, ProfileOptions& options) {
 void checkOptions(const ProfileOptions& options) {
     const auto usage = [](const char* text) { throw Error(ExitCode::kBadUsage, text); };
     if (options.line == "-" && isTerminal(kStandardInput)) usage("--line -: standard input is a terminal");
-    if (options.rules.all && options.rules.width > 0) usage("--all and --width exclude each other");
+    if (options.rules.all && options.rules.width > 0) usage("--all and --width cannot be combined");
     if (options.apart && !options.rules.all) usage("--apart needs --all");
     checkTextOutput(options, {".csv", ".svg", ".dxf"});
     checkCommonOptions(options, {options.line}, "profile");
@@ -87,7 +87,7 @@ std::vector<Position> lineOf(const ProfileOptions& options, const Position& up) 
     const GivenPositions given = givenPositions(options.line, "--line", true);
     constexpr double kUpright = 1 - 1e-9;
     if (!given.has_z && std::abs(up[2]) < kUpright)
-        throw Error(ExitCode::kBadUsage, "--line: x,y is enough only where z is up; give x,y,z");
+        throw Error(ExitCode::kBadUsage, "--line: x,y suffices only if z is up; give x,y,z");
     return given.positions;
 }
 
@@ -120,7 +120,7 @@ void profile(const ProfileOptions& options, ProfileRun& run) {
     timed(run.write_s, [&] { writeReport(options.output, fileText(options, drawing)); });
     run.points = drawing.points.size();
     run.hits = static_cast<std::uint64_t>(std::ranges::count_if(drawing.points, &ProfilePoint::hit));
-    if (run.hits == 0) printNote(options, "profile: the rays met no surface");
+    if (run.hits == 0) printNote(options, "profile: the rays hit no surface");
 }
 
 } // namespace

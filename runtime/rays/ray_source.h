@@ -19,7 +19,7 @@ struct RowKind {
     std::vector<std::size_t> widths; ///< numbers that a row can have
     std::string numbers;             ///< "6: origin and direction"
     std::string shape;               ///< of arrays: "(N, 6): origin and direction"
-    /// The column names that text can have; a row has the first ones. Empty: any names.
+    /// The column names that a text file may have; a narrower row has the first of them. Empty: any names.
     std::vector<std::string> names = {};
 };
 extern const RowKind kRayRows;
@@ -45,7 +45,7 @@ public:
     /// Overwrites block with the next rays, at most RayBlock::kRays. False at the end. Throws Error kBadInput
     /// "NAME[:LINE]: reason".
     virtual bool next(RayBlock& block) = 0;
-    /// Numbers in a row; for text known after the first row.
+    /// Numbers in a row; for text, known after the first row.
     virtual std::size_t width() const = 0;
     /// The number of rays, if known in advance.
     virtual std::optional<std::uint64_t> count() const = 0;

@@ -42,7 +42,7 @@ void intersect(PointOutline& outline, const PointOutline& other) {
     outline.count = *outline.count + *other.count;
 }
 
-/// Places the outline in the world. Moved points are in no coordinate system.
+/// Transforms the outline to world coordinates. Points that are moved lose their coordinate system.
 void place(const Placement& placement, PointOutline& outline) {
     if (placement == Placement{}) return;
     pro_info info{};
@@ -102,7 +102,7 @@ void append(std::vector<Each>& to, const std::vector<Each>& from) {
     to.insert(to.end(), from.begin(), from.end());
 }
 
-/// Which splats of a .pro: its input in its order, or all in the order of the file.
+/// Which splats of a .pro to read: those of its input in input order, or all in file order.
 enum class SplatOrder { kInput, kFile };
 
 std::vector<std::uint32_t> allSplats(const ProFile& file) {

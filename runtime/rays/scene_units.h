@@ -10,7 +10,7 @@ namespace pointrt {
 struct SceneUnits {
     std::string unit;           ///< "m", "ft", "ftUS", "mm", "cm", or "" if unknown or another
     double metres_per_unit = 0; ///< 0: unknown
-    int decimals = 3;           ///< that resolve positions
+    int decimals = 3;           ///< enough to resolve positions
     int epsg = 0;               ///< of the coordinate system, 0 if unknown
 };
 

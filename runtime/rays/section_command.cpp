@@ -29,8 +29,8 @@ constexpr const char* kSectionNotes =
     "section_2 ...: heights first, then planes, each in the order given. Columns of .csv: section, line, x, y, z. See\n"
     "docs/RAYS.md.";
 
-constexpr double kDefaultGap = 6;         ///< steps: three times the point spacing
-constexpr double kDefaultTolerance = 0.5; ///< steps: a quarter of the point spacing
+constexpr double kDefaultGap = 6;         ///< steps, which is three times the point spacing
+constexpr double kDefaultTolerance = 0.5; ///< steps, which is a quarter of the point spacing
 
 struct SectionOptions : CommonOptions {
     std::vector<double> heights;
@@ -41,7 +41,7 @@ struct SectionOptions : CommonOptions {
     std::optional<std::array<double, 3>> up;
 };
 
-/// The text of a plane, if it is one whatever way is up.
+/// The text of a plane, if it is valid for any up direction.
 std::string planeText(const std::string& text) {
     try {
         sectionPlane(text, {0, 0, 1});
@@ -54,30 +54,31 @@ std::string planeText(const std::string& text) {
 void addPlanes(CommandLine& app, SectionOptions& options) {
     constexpr double kFarthest = 1e30; // the limit of coordinates in .pro files
     addValue(
-        app, "--height", "HEIGHT", "Cut horizontally at this height along up: a floor plan. Repeat it for several",
+        app, "--height", "HEIGHT",
+        "Cut horizontally at this height along up: a floor plan. Repeat the option for several heights",
         [&](const std::string& text) { options.heights.push_back(parseReal(text, -kFarthest, kFarthest)); }, false,
         true);
     addValue(
         app, "--plane", "PLANE",
-        "Cut along this plane, as pointrt-view --section does: y=3 and x=3 are upright, with the other coordinate "
-        "growing to the right in drawings, -y=3 is seen from the other side; X0,Y0,X1,Y1 is upright through two points "
-        "of the plan, the first one on the left; z=1.2 is horizontal. Repeat it for several",
+        "Cut along this plane, as pointrt-view --section does: x=3 and y=3 are vertical, with the other coordinate "
+        "increasing to the right in drawings; -y=3 is seen from the other side; X0,Y0,X1,Y1 is vertical through two "
+        "points, the first one on the left; z=1.2 is horizontal. Repeat the option for several planes",
         [&](const std::string& text) { options.planes.push_back(planeText(text)); }, false, true);
 }
 
 void addLengths(CommandLine& app, SectionOptions& options) {
     constexpr double kFarthest = 1e30; // the limit of coordinates in .pro files
     addValue(app, "--step", "LENGTH",
-             "Distance of the rays; surfaces closer together than two steps are one (default: the median radius of the "
-             "scan's discs, half the point spacing)",
+             "Distance between rays; surfaces closer together than two steps become one line (default: the median "
+             "radius of the scan's discs, half the point spacing)",
              [&](const std::string& text) { options.step = parseRealAbove(text, 0, kFarthest); });
-    addValue(app, "--gap", "LENGTH", "Widest gap that lines are joined across (default: 6 steps; at least 2.5)",
+    addValue(app, "--gap", "LENGTH", "Join lines across gaps up to this width (default: 6 steps; at least 2.5)",
              [&](const std::string& text) { options.gap = parseReal(text, 0, kFarthest); });
-    addValue(
-        app, "--tolerance", "LENGTH",
-        "Largest distance of lines from where rays met the surface; more makes fewer points (default: half a step)",
-        [&](const std::string& text) { options.tolerance = parseReal(text, 0, kFarthest); });
-    addValue(app, "--shortest", "LENGTH", "Leave out lines that are shorter (default 0)",
+    addValue(app, "--tolerance", "LENGTH",
+             "Simplify lines, moving them at most this far from the points that rays hit; larger values give fewer "
+             "points (default: half a step)",
+             [&](const std::string& text) { options.tolerance = parseReal(text, 0, kFarthest); });
+    addValue(app, "--shortest", "LENGTH", "Leave out lines shorter than this (default 0)",
              [&](const std::string& text) { options.shortest = parseReal(text, 0, kFarthest); });
 }
 
@@ -90,7 +91,7 @@ void addOptions(CommandLine& app, SectionOptions& options) {
     addPlanes(app, options);
     addLengths(app, options);
     app.add_flag("--flat", options.flat,
-                 "Write coordinates of the drawing: x to the right, y up, z 0, in place of the scan's");
+                 "Write drawing coordinates (x to the right, y up, z = 0) instead of the scan's");
     addValue(app, "--up", "X,Y,Z", "Up in the scan's coordinates (default: the scan's up, else +Z)",
              [&](const std::string& text) { options.up = parseTriple(text); });
     addDeviceAndReport(app, options);

@@ -61,9 +61,8 @@ void addStudyOptions(CommandLine& app, StudyOptions& options) {
     addScene(app, options);
     addPointOutput(app, options);
     app.add_option("--points", options.points,
-                   "Evaluate these points instead of the scene's: .pro, .proset, .toml, .las, .laz or .ply, or x y z "
-                   "[nx ny nz] "
-                   "as .npy or text; - is standard input")
+                   "Evaluate these points instead of the scene's own: .pro, .proset, .toml, .las, .laz or .ply, or x y "
+                   "z [nx ny nz] as .npy or text; - is standard input")
         ->type_name("FILE");
     completes(app, "--points", ".pro .proset .toml .las .laz .ply .npy .csv .txt");
     addValue(app, "--sides", "auto|front|both",

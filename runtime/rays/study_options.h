@@ -18,9 +18,9 @@ struct StudyOptions : CommonOptions {
     std::optional<std::array<double, 3>> up;
 };
 
-/// -o for points with results.
+/// Adds -o for points with results.
 void addPointOutput(CommandLine& app, StudyOptions& options, bool required = true);
-/// SCENE, -o, --points, --sides, --up.
+/// Adds SCENE, -o, --points, --sides, --up.
 void addStudyOptions(CommandLine& app, StudyOptions& options);
 /// Adds an option whose value set parses; a std::invalid_argument of set becomes the error "NAME: reason".
 /// @param many the option can be given several times
@@ -31,7 +31,7 @@ std::optional<int> parseStudyLine(CommandLine& app, int argc, const char* const*
 /// checkCommonOptions for studies.
 void checkStudyOptions(const StudyOptions& options);
 
-/// The up that is given, as a unit vector; else that of the scene, else +Z. Throws Error kBadUsage for a zero vector,
+/// The given up direction as a unit vector; else that of the scene, else +Z. Throws Error kBadUsage for a zero vector,
 /// TraceError as scanUp does.
 std::array<double, 3> upOfScene(const std::optional<std::array<double, 3>>& given,
                                 const std::vector<std::string>& scene);

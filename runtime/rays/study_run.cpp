@@ -45,7 +45,7 @@ std::unique_ptr<PointSource> openStudyPoints(const StudyOptions& options, const 
     return sceneSplats(options.points.empty() ? options.scene : std::vector{options.points}, results);
 }
 
-/// Null without an output. scan: of requireOutput
+/// Null without an output. scan: as requireOutput returned it
 std::unique_ptr<PointSink> openResults(const StudyOptions& options, const std::string& scan, const PointOutline& points,
                                        const std::vector<PointColumn>& results) {
     if (options.output.empty()) return nullptr;
@@ -53,7 +53,8 @@ std::unique_ptr<PointSink> openResults(const StudyOptions& options, const std::s
     return openPointSink(options.output, withResults(points, results));
 }
 
-/// Fails early on what cannot be written. Returns the scan that takes the results; "": they are written as points.
+/// Throws early if an output cannot be written. Returns the scan to copy with the results; "": they are written as
+/// points.
 std::string requireOutput(const StudyOptions& options) {
     if (isProOutput(options.output)) return scanOfResults(options.points, options.scene);
     if (!options.output.empty()) pointFormat(options.output);

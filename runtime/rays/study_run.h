@@ -27,7 +27,7 @@ using ReportProgress = std::function<void(double)>;
 
 /// The parts of a study that differ between commands.
 struct StudyWork {
-    std::vector<PointColumn> results; ///< columns that it adds, in order
+    std::vector<PointColumn> results; ///< columns that the study adds, in order
     /// Called once before the first block and before any progress is shown. May change the rules.
     std::function<void(OpenStudy&)> begin;
     /// Overwrites values, one array per result, with a row for each point of a block. Returns the number of rays cast.
@@ -38,8 +38,8 @@ struct StudyWork {
     std::vector<std::pair<std::string, std::uint64_t>> counts;
 };
 
-/// Without options.output, only calls work. Memory does not grow with the number of points, but for 4 bytes a point of
-/// the largest file or tile. Throws Error with one line, and then leaves no new output file.
+/// Without options.output, it only calls work. Memory does not grow with the number of points, except by 4 bytes per
+/// point of the largest file or tile. Throws Error with one line, and then leaves no new output file.
 void runStudy(const StudyOptions& options, StudyWork& work);
 
 } // namespace pointrt

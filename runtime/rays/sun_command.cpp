@@ -47,17 +47,17 @@ void addOptions(CommandLine& app, SunOptions& options) {
         [&](const std::string& text) { options.study.first = parseDate(text); }, true);
     addValue(app, "--to", "DATE", "The last day (default: that of --date)",
              [&](const std::string& text) { options.last = parseDate(text); });
-    addValue(app, "--every", "MINUTES", "Sampling interval (default 15)",
+    addValue(app, "--every", "MINUTES", "Minutes between two positions of the sun (default 15)",
              [&](const std::string& text) { options.study.every_min = parseRealAbove(text, 0, 1440); });
-    addValue(
-        app, "--zone", "OFFSET",
-        "UTC offset of the midnight at which days begin: +02:00, -8, Z (default: by longitude, 15 degrees an hour)",
-        [&](const std::string& text) { options.study.utc_offset_h = parseUtcOffset(text); });
+    addValue(app, "--zone", "OFFSET",
+             "UTC offset of local time, whose midnight begins the day: +02:00, -8, Z (default: from the longitude, 15 "
+             "degrees per hour)",
+             [&](const std::string& text) { options.study.utc_offset_h = parseUtcOffset(text); });
     addValue(app, "--north", "X,Y,Z",
-             "True north in the scan's coordinates (default: by its coordinate system, else +Y, or -Z if Y is up)",
+             "True north in the scan's coordinates (default: from its coordinate system, else +Y, or -Z if Y is up)",
              [&](const std::string& text) { options.north = parseTriple(text); });
-    app.add_flag("--sky", options.sky, "Also compute the sky view of the points");
-    addValue(app, "--sky-rays", "N", "Directions that sample the sky (default 256)", [&](const std::string& text) {
+    app.add_flag("--sky", options.sky, "Also compute the sky view factor of the points");
+    addValue(app, "--sky-rays", "N", "Number of rays that sample the sky (default 256)", [&](const std::string& text) {
         options.sky_rays = parseCount(text, 1, 65536);
         options.sky_rays_given = true;
     });
@@ -94,7 +94,7 @@ void printSummary(const SunOptions& options, const Lights& sun, const StudyFrame
                            (study.utc_offset_h ? "" : " (by the longitude)") + "; " + frame.note);
 }
 
-/// Sums the lights that reach each point, as floats, in groups of lights that take about a second.
+/// Sums the weights of the lights that reach each point, as floats, in groups of lights that take about a second.
 std::uint64_t sumAll(const OpenStudy& study, const StudyPoints& points, std::size_t count, const Lights& lights,
                      std::vector<std::byte>& values, const ReportProgress& report) {
     constexpr std::size_t kRaysBetweenUpdates = std::size_t{1} << 22;
@@ -115,7 +115,7 @@ std::uint64_t sumAll(const OpenStudy& study, const StudyPoints& points, std::siz
 }
 
 void runSun(const SunOptions& options) {
-    withToolErrors([&] { sunLights(options.study, {}); }); // fails early on invalid options
+    withToolErrors([&] { sunLights(options.study, {}); }); // throws early if options are invalid
     Lights sun, sky;
     StudyWork work;
     work.results = {{"sun_hours", PRO_TYPE_F32}};

@@ -20,7 +20,8 @@ constexpr const char* kViewshedExamples =
 constexpr const char* kViewshedNotes =
     "Columns: seen_by (number of observers that see the point), and observer_0, observer_1 ... (1 if that observer\n"
     "does). An observer inside a wall or below the ground sees nothing; raise it with --height.";
-/// LAS describes extra bytes in a record of 65,535 bytes, 192 for each column: 341 columns, some of them the scan's.
+/// LAS describes extra bytes in a record of at most 65,535 bytes, 192 per column: 341 columns, some of which are the
+/// scan's.
 constexpr std::size_t kMostObservers = 255;
 
 struct ViewshedOptions : StudyOptions {
@@ -33,7 +34,8 @@ void addOptions(CommandLine& app, ViewshedOptions& options) {
     addStudyOptions(app, options);
     addValue(
         app, "--from", "X,Y,Z",
-        "Position of an observer in the scan's coordinates; repeat it for more, numbered from 0",
+        "Position of an observer in the scan's coordinates; repeat the option for more observers, which are numbered "
+        "from 0",
         [&](const std::string& text) { options.from.push_back(parseTriple(text)); }, true, true);
     addValue(app, "--height", "H", "Height of observers above --from, in the scan's unit (default 0)",
              [&](const std::string& text) { options.height = parseReal(text, -kFarthest, kFarthest); });

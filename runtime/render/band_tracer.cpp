@@ -24,8 +24,8 @@ void bind(Device& device, BandTracer& tracer) {
         bindTracedInstances(device, tracer.programs, *tracer.scene, tracer.buffers, shownMap(tracer.caustics));
 }
 
-/// Works on the later map of that number, which replaces the current later map, so that at most two are in memory. True
-/// once it is bound.
+/// Continues the later photon map of that number, which replaces the current later map, so that at most two are in
+/// memory. True once it is bound.
 bool traceLaterMap(Device& device, BandTracer& tracer, std::uint32_t number) {
     CausticMaps& maps = tracer.caustics;
     if (!maps.job || maps.job->map() != number) {
@@ -46,7 +46,7 @@ bool traceLaterMap(Device& device, BandTracer& tracer, std::uint32_t number) {
     return true;
 }
 
-/// The sample in parts that the tracer has lanes for.
+/// Divides the sample into parts that fit in the tracer's lanes.
 std::vector<BandSample> partsOf(const BandTracer& tracer, const BandSample& sample) {
     if (lanesOf(sample.width, sample.rows) <= tracer.buffers.lanes) return {sample};
     std::vector<BandSample> parts;
@@ -74,7 +74,7 @@ void recordPasses(PassCommands& commands, const BandTracer& tracer, BandSample& 
     commands.endSample();
 }
 
-/// Passes of all parts of a sample, and what follows them.
+/// Records the passes of all parts of a sample, and the commands that follow them.
 void recordParts(PassCommands& commands, const BandTracer& tracer, BandSample& sample, std::uint32_t passes,
                  const std::function<void(VkCommandBuffer)>& then) {
     for (BandSample part : partsOf(tracer, sample)) {
@@ -204,7 +204,7 @@ BandSample openPixelList(const BandTracer& tracer, const RenderSettings& setting
 
 void tracePasses(Device& device, const BandTracer& tracer, BandSample& sample, std::uint32_t passes, RayCounts& counts,
                  const std::function<void(VkCommandBuffer)>& then) {
-    waitForSubmitted(device); // their counters are read from the same place
+    waitForSubmitted(device); // waits, since their counters are read from the same buffer
     PassCommands commands(device, tracer.buffers.control, {tracer.buffers.control_read}, tracer.profile);
     const std::uint32_t first_pass = sample.pass;
     recordParts(commands, tracer, sample, passes, then);
@@ -232,7 +232,7 @@ PassesInFlight submitPasses(Device& device, BandTracer& tracer, BandSample& samp
 double finishPasses(Device& device, const BandTracer& tracer, const PassesInFlight& passes, RayCounts& counts) {
     waitFor(device, passes.submission);
     for (const gpu::Control& part : readCounters(device, {tracer.buffers.control_read, passes.place}, passes.samples)) {
-        if (!hasEnded(part)) throw std::logic_error("paths go on after the passes that were to end them");
+        if (!hasEnded(part)) throw std::logic_error("paths continue after the last pass");
         addRays(part, counts);
     }
     return elapsedMilliseconds(device, tracer.timer, passes.place).value() / 1e3;

@@ -27,8 +27,9 @@ struct BandTracer {
     CausticMaps caustics;
     TracedInstances instances;
     PassProfile* profile = nullptr; ///< optional: records its passes
-    GpuTimer timer;          ///< of kFramesInFlight submissions; without a pool where none overlap (submitPasses)
-    std::uint32_t place = 0; ///< of the last submission that submitPasses made, in control_read and timer
+    /// Times kFramesInFlight submissions; without a query pool if submissions never overlap (submitPasses).
+    GpuTimer timer;
+    std::uint32_t place = 0; ///< of the last submission by submitPasses: its place in control_read and timer
     const Buffer* hit_counts =
         nullptr; ///< optional: receives the number of rays of the last pass that hit each instance
 
@@ -37,12 +38,11 @@ struct BandTracer {
     BandTracer& operator=(const BandTracer&) = delete;
 };
 
-/// Fills the empty tracer for bands of up to `lanes` lanes (lanesOf) of films of up to film_pixels, with the settings'
-/// samples, without photons.
-/// scene must have its tables and outlive the tracer.
+/// Initialises the empty tracer for bands of up to `lanes` lanes (lanesOf) and films of up to film_pixels pixels, with
+/// the settings' samples, without photons. scene must have its tables and outlive the tracer.
 void createBandTracer(Device& device, BandTracer& tracer, const DeviceScene& scene, const RenderSettings& settings,
                       std::uint32_t lanes, std::uint64_t film_pixels, FormRequest form = {});
-/// Leaves it empty; it may be empty already.
+/// Leaves the tracer empty; it may be empty already.
 void destroyBandTracer(Device& device, BandTracer& tracer);
 
 /// Whether the scene casts caustics and the settings' integrator shows them.
@@ -50,7 +50,7 @@ bool needsPhotons(const DeviceScene& scene, const RenderSettings& settings);
 /// Traces the first photon map of the scene in its current state, if it needs photons, and binds it in place of any
 /// other.
 void tracePhotons(Device& device, BandTracer& tracer, const RenderSettings& settings);
-/// Works for some milliseconds on the photon map that a sample of a picture of so many pixels uses. True once it is
+/// Works for some milliseconds on the photon map for this sample of a picture with this many pixels. True once it is
 /// bound; always true if the scene has no photons.
 bool usePhotonMap(Device& device, BandTracer& tracer, std::uint32_t sample, std::uint64_t pixels);
 /// Renders without photons from now on.
@@ -58,7 +58,8 @@ void dropPhotons(BandTracer& tracer);
 
 /// Reallocates the film; its contents are lost.
 void resizeFilm(Device& device, BandTracer& tracer, FilmRoom film);
-/// Gives the film room for so many samples; its contents stay. Whether it is another buffer now.
+/// Makes room in the film for this many samples per pixel; keeps its contents. Returns whether the film is another
+/// buffer now.
 bool extendFilm(Device& device, BandTracer& tracer, std::uint32_t samples);
 /// Call after the scene's buffers have been rebuilt with the same features.
 void rebind(Device& device, BandTracer& tracer);
@@ -69,14 +70,14 @@ std::uint64_t deviceBytes(const BandTracer& tracer);
 /// A sample of a band in progress.
 struct BandSample {
     gpu::FrameParams params{};         ///< camera and settings
-    std::uint32_t width = 0, rows = 0; ///< of the band, pixels
-    std::uint32_t number = 0;          ///< 0: clears the film
+    std::uint32_t width = 0, rows = 0; ///< size of the band in pixels
+    std::uint32_t number = 0;          ///< number of the sample; 0 clears the film
     bool at_centers = false;           ///< rays go through pixel centres
     bool preview = false;              ///< hard shadows of the first light only: no noise
     bool first_hits = false;           ///< also depth, normal and ids of the rays through pixel centres
-    bool only_first_hits = false;      ///< and nothing else
-    bool at_listed_pixels = false;     ///< rays go through the pixel list; first hits include surroundings
-    std::uint32_t pass = 0;            ///< the next one; 0: nothing has been traced
+    bool only_first_hits = false;      ///< only those, no light
+    bool at_listed_pixels = false; ///< rays go through the pixels of the pixel list; first hits include surroundings
+    std::uint32_t pass = 0;        ///< number of the next pass; 0: nothing has been traced
     bool done = false;
 };
 
@@ -98,26 +99,26 @@ BandSample openPixelList(const BandTracer& tracer, const RenderSettings& setting
 void tracePasses(Device& device, const BandTracer& tracer, BandSample& sample, std::uint32_t passes, RayCounts& counts,
                  const std::function<void(VkCommandBuffer)>& then = {});
 
-/// Whether submitPasses can be used: not on CPU devices, where the host has the same cores, and where it is not known
-/// how long a submission took.
+/// Whether submitPasses can be used. Not on CPU devices, where tracing and the host share the cores, and not if the
+/// time of a submission cannot be measured.
 bool canOverlap(const BandTracer& tracer);
 
 /// Passes that the device may still be tracing.
 struct PassesInFlight {
     std::uint64_t submission = 0;
-    std::uint32_t place = 0, samples = 0; ///< of their counters
+    std::uint32_t place = 0, samples = 0; ///< where their counters are, and how many
 };
 
-/// Submits a sample that ends with these passes (endsIn), as tracePasses does, without waiting for it. Of the
-/// submissions before, all but kFramesInFlight - 1 must have been finished.
+/// As tracePasses, but submits a sample that ends with these passes (endsIn) without waiting for it. All but the last
+/// kFramesInFlight - 1 submissions must have been finished before.
 PassesInFlight submitPasses(Device& device, BandTracer& tracer, BandSample& sample, std::uint32_t passes,
                             const std::function<void(VkCommandBuffer)>& then = {},
                             Submission submission = Submission::kNow);
 /// Waits for them, and adds their rays to counts. Returns the seconds that the device took.
 double finishPasses(Device& device, const BandTracer& tracer, const PassesInFlight& passes, RayCounts& counts);
 
-/// Whether a sample is known to be done after its camera rays and this many bounces. Deferred rays, of surfaces that
-/// reflect and refract, take more.
+/// Whether a sample is known to be done after its camera rays and this many bounces. Deferred rays, from surfaces that
+/// reflect and refract, take more passes.
 bool endsIn(const BandTracer& tracer, const RenderSettings& settings, std::uint32_t passes);
 /// The most rows of this width that the tracer has lanes for.
 std::uint32_t fittingRows(const BandTracer& tracer, std::uint32_t width);

@@ -13,7 +13,7 @@ namespace pointrt {
 struct SeriesShot {
     Camera camera;
     PixelSize size;
-    bool first_hits = true, light_parts = true; ///< as RenderSettings has them
+    bool first_hits = true, light_parts = true; ///< as in RenderSettings
 };
 
 class CameraSeries {

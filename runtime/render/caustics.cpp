@@ -30,8 +30,8 @@ constexpr std::uint32_t kBatchWidth = 512, kBatchRows = 256;
 constexpr std::uint32_t kBatch = kBatchWidth * kBatchRows;
 /// Most mirror and glass bounces of a photon; little light is left after these.
 constexpr std::uint32_t kPhotonBounces = 16;
-/// Each instance takes its own passes for each batch: scenes of more instances than this trace fewer photons, to keep
-/// the time about the same.
+/// Each batch takes passes for each instance: scenes with more instances than this get fewer photons, to keep the time
+/// about the same.
 constexpr std::size_t kInstancesForAll = 8;
 
 RenderSphere sphereAround(const RenderSpace& space, const Bounds& bounds) {
@@ -39,7 +39,7 @@ RenderSphere sphereAround(const RenderSpace& space, const Bounds& bounds) {
     return {0.5 * (lo + hi), 0.5 * length(hi - lo)};
 }
 
-/// In render units; the edge of the scan's cube, which is 1, if the scans are a single point.
+/// In render units. If the scans are a single point: 1, the edge of the scan's cube.
 double radiusOf(const DeviceScene& scene) {
     const double radius = sphereAround(scene.space, scene.bounds).radius;
     return radius > 0 ? radius : 1;
@@ -51,8 +51,7 @@ Bounds boundsWithShapes(const DeviceScene& scene) {
     return shapes ? joined(scene.bounds, *shapes) : scene.bounds;
 }
 
-/// A sphere around the shape; its transform is a similarity except for unequal edges.
-/// row: of the shape on the device.
+/// A bounding sphere of the shape. Its transform is a similarity unless its edges differ. row: the shape on the device.
 PhotonTarget shapeTarget(const DeviceScene& scene, const ShapeDescription& shape, std::size_t row) {
     const bool round = shape.kind == ShapeKind::kSphere || shape.kind == ShapeKind::kDisc;
     const bool flat = shape.kind == ShapeKind::kQuad;
@@ -107,17 +106,17 @@ public:
         uploadBuffer(device_, buffers_.paths, paths.data(), paths.size() * sizeof paths[0]);
         std::vector<std::uint32_t> queue(paths.size());
         std::iota(queue.begin(), queue.end(), 0u);
-        // pass 1 reads queue 1
+        // pass 1 reads from queue 1
         uploadBuffer(device_, buffers_.queues, queue.data(), queue.size() * sizeof queue[0], kBatch * sizeof queue[0]);
         gpu::Control control{};
         control.queued[1] = count_ = static_cast<std::uint32_t>(paths.size());
         control.ray_groups = gpu::groupsFor(count_);
-        control.hit_groups = gpu::groupsFor(0); // programs that append hits set x
+        control.hit_groups = gpu::groupsFor(0); // programs that append hits set only x
         uploadBuffer(device_, buffers_.control, &control, sizeof control);
     }
 
-    /// Traces to the next hits, in a submission of its own, so that a window sharing the queue can draw in between.
-    /// False once no photon of the batch is in flight.
+    /// Traces photons to their next hits, in a separate submission, so that a window sharing the queue can draw in
+    /// between. False once no photon of the batch is in flight.
     bool pass() {
         PassCommands commands(device_, buffers_.control, {buffers_.control_read}, nullptr);
         record(commands, pass_++);
@@ -182,7 +181,7 @@ private:
     Device& device_;
     const DeviceScene& scene_;
     const Programs& programs_;
-    CausticMap map_; ///< empty but for the photons in flight
+    CausticMap map_; ///< empty except for the photons in flight
     FrameBuffers buffers_;
     TracedInstances instances_;
     std::uint32_t batch_ = 0, pass_ = 0, count_ = 0;
@@ -208,10 +207,10 @@ struct CausticJob::State {
     double scene_radius;
     PhotonEmission emission;
     std::optional<PhotonTracer> tracer; ///< until all photons have been traced
-    std::uint32_t batch = 0;            ///< the next one, numbered over all maps
+    std::uint32_t batch = 0;            ///< number of the next batch, over all maps
     bool in_flight = false;
     std::vector<gpu::Photon> stored;
-    std::future<PhotonMap> sorted; ///< on its own thread: sorting takes a while
+    std::future<PhotonMap> sorted; ///< sorted on its own thread, as that takes a while
 };
 
 CausticJob::CausticJob(Device& device, const DeviceScene& scene, const Programs& programs, const CausticOrder& order)

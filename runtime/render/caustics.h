@@ -18,7 +18,7 @@ constexpr std::uint32_t kPhotons = 1u << 20;
 
 /// Which photon map to trace.
 struct CausticOrder {
-    std::uint32_t count = kPhotons; ///< approximate number of photons; scenes of many instances get fewer
+    std::uint32_t count = kPhotons; ///< approximate number of photons; fewer in scenes of many instances
     std::uint32_t map = 0, seed = 0;
     double finest = 0; ///< PhotonDiscs::finest
 };
@@ -46,7 +46,7 @@ private:
 /// The maps of a scene.
 struct CausticMaps {
     CausticMap first;               ///< for the first samples of every picture
-    CausticMap later;               ///< a later one
+    CausticMap later;               ///< one of the later maps
     std::uint32_t later_number = 0; ///< 0: none
     bool shows_later = false;
     std::uint32_t seed = 0;          ///< of all maps

@@ -14,7 +14,7 @@ namespace {
 
 constexpr const char* kIntensity = "intensity";
 
-/// Appends a sample of a scan's intensities; none if it has no single one for each splat.
+/// Appends a sample of a scan's intensities; nothing if it has no intensity, or one of several components.
 void addIntensities(const DeviceScan& scan, std::vector<double>& values) {
     const std::optional<SplatNumbers> source = attributeNumbers(scan.file, kIntensity);
     if (!source || source->attribute.components != 1) return;
@@ -27,7 +27,7 @@ void addIntensities(const DeviceScan& scan, std::vector<double>& values) {
     }
 }
 
-/// The inner 96% of the intensities: beyond are glints. None if the inner nine tenths are equal, as in files of
+/// The inner 96% of the intensities; the rest are glints. None if the inner nine tenths are equal, as in files of
 /// programs that write one value for all points.
 std::optional<ValueRange> intensityRange(const std::vector<const DeviceScan*>& scans) {
     std::vector<double> values;
@@ -46,8 +46,8 @@ bool hasAttribute(const DeviceScan& scan, const char* name) {
     return pro_find_attribute(scan.file, name, &attribute) == 1;
 }
 
-/// Attributes that only surveying instruments and their programs write. Stanford's merged range scans have an intensity
-/// too, beside a confidence.
+/// Attributes that only surveying instruments and their programs write. Not intensity: Stanford's merged range scans
+/// have one too, beside a confidence.
 bool isSurvey(const DeviceScan& scan) {
     static constexpr std::array kNames = {"return_number", "number_of_returns", "classification", "gps_time", "ring"};
     return std::any_of(kNames.begin(), kNames.end(), [&](const char* name) { return hasAttribute(scan, name); }) ||
@@ -56,7 +56,7 @@ bool isSurvey(const DeviceScan& scan) {
 
 bool hasColor(const DeviceScan& scan) { return (scan.info.flags & PRO_FLAG_COLOR) != 0; }
 
-/// Whether all scans are of surveying instruments.
+/// Whether all scans come from surveying instruments.
 bool areSurveys(const std::vector<const DeviceScan*>& scans) {
     return std::all_of(scans.begin(), scans.end(), [](const DeviceScan* scan) { return isSurvey(*scan); });
 }

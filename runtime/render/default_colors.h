@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Colours of scans without colour.
+// Default colours of scans without colours.
 #pragma once
 
 #include <optional>
@@ -17,13 +17,12 @@ struct DefaultColors {
     std::optional<ValueRange> range;
 };
 
-/// What a scene of scans shows. Without a sample, an object.
+/// What kind of place a scene of scans shows. If it has no sample, an object.
 PlaceKind placeKindOf(const DeviceScene& scene, const SceneSample& sample, Vec3 up);
 
-/// How scans without colours are coloured by default. Sites, which are wide ground, by height, which shows
-/// buildings and trees better than anything else. Other scans by intensity if that varies. Interiors without, and
-/// objects of surveying instruments, which have returns, classes or the like, by height. None for scans with colours,
-/// and for other objects, which look like clay.
+/// How scans without colours are coloured by default. Sites (wide ground) by height, which shows buildings and trees
+/// best. Other scans by intensity if it varies; else interiors, and objects from surveying instruments (with returns,
+/// classes or the like), by height. None for scans with colours, and for other objects, which then look like clay.
 /// @param up unit length
 std::optional<DefaultColors> defaultColors(const DeviceScene& scene, const SceneSample& sample, Vec3 up);
 

@@ -55,7 +55,7 @@ void createPrograms(Device& device, Denoiser& denoiser, bool has_variance) {
     denoiser.last_level = createProgram(device, "denoise", denoise_spv, {{SPEC_IS_LAST_LEVEL, 1}});
 }
 
-/// A level that reads light[from], and its guide, and writes to `to`.
+/// Descriptors of a level that reads light[from] and its guide, and writes light[to].
 VkDescriptorSet createLevelSet(Device& device, const Denoiser& d, const Program& program, std::size_t from,
                                const Buffer& to) {
     return createDescriptorSet(device, d.pool, program,

@@ -14,16 +14,17 @@ namespace pointrt {
 
 /// Device buffers of a picture, 4 floats per pixel, rows from the top, each with a VK_FORMAT_R32G32B32A32_SFLOAT view.
 struct DenoiseInputs {
-    const Buffer* color = nullptr;   ///< linear rgb, alpha; pixels of alpha 0 are not filtered
-    const Buffer* surface = nullptr; ///< normal (0: unknown), depth along the ray (0, negative, not finite: unknown)
-    const Buffer* albedo = nullptr;  ///< linear albedo (1: unknown), variance of the mean luminance of rgb
+    const Buffer* color = nullptr; ///< linear rgb, alpha; pixels of alpha 0 are not filtered
+    /// Normal (0: unknown) and depth along the ray (0, negative or not finite: unknown).
+    const Buffer* surface = nullptr;
+    const Buffer* albedo = nullptr; ///< linear albedo (1: unknown) and the variance of the mean luminance of rgb
     bool has_variance = true; ///< false: ignores the fourth float of albedo and estimates variance from the picture
 };
 
 /// Programs and buffers to filter pictures of one size repeatedly. Free it with destroyDenoiser.
 struct Denoiser {
     std::uint32_t width = 0,
-                  height = 0; ///< pixels; may be reduced as long as the product does not exceed that at creation
+                  height = 0; ///< pixels; may be reduced as long as the product does not exceed the one at creation
     float pixel_angle = 0;    ///< radians
     Program prepare, clean, variance, level, last_level;
     VkDescriptorPool pool = VK_NULL_HANDLE;
@@ -35,7 +36,7 @@ struct Denoiser {
     Buffer result;                               ///< 4 floats per pixel: filtered linear rgb, alpha of the input
 };
 
-/// Four buffers of four floats and the result, slopes of two floats, and two guides of one.
+/// Four buffers and the result with four floats, slopes with two, and two guides with one.
 constexpr std::uint64_t kDenoiserBytes = (5 * 4 + 2 + 2) * sizeof(float);
 
 /// For pictures of width x height pixels (at least 1) in the buffers of inputs, which must outlive the denoiser.
@@ -47,7 +48,7 @@ void destroyDenoiser(Device& device, Denoiser& denoiser);
 /// one after writing the inputs.
 ///
 /// Method: divides by the albedo; clamps fireflies, pixels over 6 times as bright as their second brightest neighbour
-/// with a standard deviation over a quarter of their brightness, to the brightness of that neighbour, which loses
+/// with a standard deviation of more than a quarter of their brightness, to that neighbour's brightness, which loses
 /// energy; then applies 5 levels of an a-trous wavelet with taps 1, 2, 4, 8 and 16 pixels apart, weighted by normal,
 /// distance from the plane of the surface, and luminance relative to its variance, where a pixel whose noise explains
 /// it counts with the median luminance around it; and multiplies by the albedo. Pixels of variance 0 are unchanged.
@@ -58,7 +59,7 @@ void destroyDenoiser(Device& device, Denoiser& denoiser);
 /// HPG 2017, without its temporal half.
 void recordDenoise(VkCommandBuffer commands, const Denoiser& denoiser);
 
-/// The same filter in steps 0 to kDenoiseSteps - 1 that take about equally long.
+/// The same filter in kDenoiseSteps steps, numbered from 0, that take about equally long.
 constexpr std::uint32_t kDenoiseLevels = 5, kDenoiseSteps = 3 + kDenoiseLevels;
 void recordDenoiseStep(VkCommandBuffer commands, const Denoiser& denoiser, std::uint32_t step);
 

@@ -40,7 +40,7 @@ const auto& planesOf(const ExrPicture& picture) {
         return picture.words;
 }
 
-/// Interleaves the planes of a part; leaves values empty if the file has none of them.
+/// Interleaves the planes of a part; leaves values empty if the file has no such planes.
 template <typename T>
 void readPart(const std::string& path, const ExrPicture& picture, const FilmPart& part, std::vector<T>& values) {
     const auto& planes = planesOf<T>(picture);

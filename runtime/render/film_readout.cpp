@@ -26,7 +26,7 @@ constexpr std::size_t kPixelsAtOnce =
 std::size_t firstPixel(Band band, const Film& film) { return std::size_t{band.first_row} * film.width; }
 std::size_t pixelCount(Band band, const Film& film) { return std::size_t{band.rows} * film.width; }
 
-/// The vectors of buffer in host-readable memory: in place if mapped, else in copy.
+/// The vectors of buffer in host-readable memory: the mapped memory itself, else a copy in `copy`.
 const gpu::vec4* readVectors(Device& device, const Buffer& buffer, std::size_t count, std::vector<gpu::vec4>& copy) {
     if (buffer.mapped) waitForSubmitted(device);
     if (buffer.mapped) return reinterpret_cast<const gpu::vec4*>(hostBytes(device, buffer));
@@ -88,7 +88,7 @@ struct Samples {
 struct Variance {
     static void store(const PixelLight& pixel, float* variance) {
         const auto samples = static_cast<float>(pixel.samples);
-        // the moments lack the last sample
+        // the moments do not include the last sample
         const LuminanceMoments moments = addLuminance({pixel.layers[LAYER_ALBEDO].w, pixel.layers[LAYER_CAUSTIC].w},
                                                       pixel.layers[LAYER_INDIRECT].w, samples);
         *variance = samples < 2 ? std::numeric_limits<float>::infinity() : varianceOfMean(moments, samples);
@@ -149,7 +149,7 @@ concept StoresHit = requires(const PixelHit& pixel, Value* values) {
     Source::store(pixel, values);
 };
 
-/// Stores a pixel's values in an array, if the film has it and its source takes this kind of pixel.
+/// Stores a pixel's values in an array, if the film has the array and its source uses this kind of pixel.
 template <typename Source, std::size_t kValues, typename Pixel, typename Value>
 void storeValues(const Pixel& pixel, std::size_t at, std::vector<Value>& values) {
     static_assert(StoresLight<Source, Value> != StoresHit<Source, Value>, "a source stores one or the other");
@@ -173,7 +173,7 @@ void restoreValues(std::size_t at, const std::vector<float>& values, float sampl
 template <typename Source>
 void restoreValues(std::size_t, const std::vector<std::uint32_t>&, float, PixelLight&) {}
 
-/// The sums of a pixel over that many samples, the last of which had the mean luminance.
+/// The film sums of a pixel over that many samples; last: mean luminance of the last one.
 PixelLight restoredPixel(const Film& film, std::size_t at, std::uint32_t samples) {
     PixelLight pixel{};
     const auto sum = static_cast<float>(samples);

@@ -13,7 +13,7 @@ namespace pointrt {
 
 /// Sizes the arrays of the film for settings and fills them with the values of misses.
 void allocateFilm(const RenderSettings& settings, Film& film);
-/// Memory of its arrays in bytes per pixel.
+/// Memory of the film's arrays in bytes per pixel.
 std::uint64_t filmBytesPerPixel(const RenderSettings& settings);
 
 /// Rows to read back of a band whose film is on the device.

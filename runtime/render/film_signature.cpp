@@ -19,7 +19,7 @@ namespace pointrt {
 namespace {
 
 constexpr std::string_view kSeparator = "; ";
-/// Entry of films started by the megakernel; those of wavefront kernels have none.
+/// Signature entry of films started by megakernels; films of wavefront kernels have none.
 constexpr const char* kMegakernelEntry = "passes=fused";
 
 std::string exact(double value) {
@@ -66,7 +66,7 @@ std::string cameraText(const Camera& camera) {
            vectorText(camera.forward) + " " + lensText(camera);
 }
 
-/// Real numbers with all digits.
+/// Formats real numbers with all digits.
 template <typename Limits>
 std::string exactText(const Limits& limits, typename Limits::Value value) {
     if constexpr (std::is_same_v<Limits, RealRange>)
@@ -87,7 +87,7 @@ bool isInSignature(const Row& row, const RenderSettings& settings) {
     return !row.film.omits_default || settingOf(settings, row.member) != settingOf(RenderSettings{}, row.member);
 }
 
-/// What the enabled clips keep, each plane as its point and normal.
+/// The half-spaces that the enabled clips keep, each as a point and a normal.
 std::string clipsText(const SceneDescription& description) {
     std::string text;
     for (const HalfSpace& each : keptHalfSpaces(description.clips))
@@ -95,7 +95,7 @@ std::string clipsText(const SceneDescription& description) {
     return text;
 }
 
-/// What the enabled filters show.
+/// The values that the enabled filters show.
 std::string filtersText(const SceneDescription& description) {
     std::string text;
     for (const FilterDescription& each : description.filters) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Signature of a film: a text of all that determines its samples. Films with the same signature can be added.
+// The signature of a film: a text with everything that determines its samples. Films with the same signature can be
+// added.
 #pragma once
 
 #include <string>
@@ -10,7 +11,7 @@
 
 namespace pointrt {
 
-/// "name=value; ..." of all that determines a sample of a given number: the version of the renderer, the camera, the
+/// "name=value; ..." for everything that determines sample number n: the version of the renderer, the camera, the
 /// settings whose row in render_setting_table.h says so, one XXH3-64 of the scene file's bytes, the header checksums of
 /// the .pro files (which cover those of their sections) and the sky image, and the kernel form unless it is wavefront.
 /// Not the number of samples, but whether a single one is taken at the pixel centre. Throws Error kBadInput if a file

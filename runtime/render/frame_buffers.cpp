@@ -85,7 +85,7 @@ bool extendFilm(Device& device, FrameBuffers& buffers, std::uint32_t samples) {
     if (layers <= buffers.film_layers) return false;
     Buffer film = createFilmBuffer(device, buffers.film_pixels, layers);
     const OnError undo([&] { destroyBuffer(device, film); });
-    copyBuffer(device, buffers.film, film, buffers.film.bytes); // the layers that are new come last
+    copyBuffer(device, buffers.film, film, buffers.film.bytes); // layers that are new come last in the buffer
     buffers.device_bytes += film.bytes - buffers.film.bytes;
     std::swap(buffers.film, film);
     destroyBuffer(device, film);

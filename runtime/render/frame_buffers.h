@@ -13,16 +13,17 @@ namespace pointrt {
 struct FrameBuffers {
     Buffer params, control, queues, paths, hits, surfaces, light_queries, light_masks, deferred, film, first_hits,
         beams, pixel_list, gaussian_light, waiting_gaussians;
-    Buffer no_cull_boxes; ///< for programs that cull nothing
-    /// For the host: the control buffer after each of kSamplesAtOnce samples of kFramesInFlight submissions.
+    Buffer no_cull_boxes; ///< bound in programs that cull nothing
+    /// Copies for the host of the control buffer, after each of kSamplesAtOnce samples in each of kFramesInFlight
+    /// submissions.
     Buffer control_read;
     std::uint32_t lanes = 0;
     std::uint64_t film_pixels = 0;
-    std::uint32_t film_layers = 0; ///< filmLayers of the most samples that the film has room for
+    std::uint32_t film_layers = 0; ///< number of layers (filmLayers) for the most samples that the film has room for
     std::uint64_t device_bytes = 0;
 };
 
-/// Most samples of parts of a band in one submission.
+/// Largest number of samples, of parts of a band, in one submission.
 constexpr std::uint32_t kSamplesAtOnce = 64;
 
 /// Number of tiles of TILE_SIDE x TILE_SIDE pixels, the last ones padded, and of their lanes.
@@ -46,17 +47,17 @@ struct FilmRoom {
     std::uint32_t samples = 1; ///< per pixel
 };
 
-/// Layers of a film: those of a batch of samples, twice if there may be earlier batches.
+/// Layers of a film: those of one batch of samples, twice that if there may be earlier batches.
 std::uint32_t filmLayers(std::uint32_t samples);
 
-/// What rays meet of Gaussians: none, those of one instance, or of several.
+/// Which Gaussians rays may pass through: none, those of one instance, or of several.
 enum class GaussianRoom { kNone, kOne, kSeveral };
 
-/// Buffers for bands of up to `lanes` lanes. culls: with room for culled lists.
+/// Buffers for bands of up to `lanes` lanes. culls: also make room for culled lists.
 FrameBuffers createFrameBuffers(Device& device, std::uint32_t lanes, FilmRoom film, bool culls, GaussianRoom gaussians);
 /// Reallocates the film and the first hits.
 void createFilm(Device& device, FrameBuffers& buffers, FilmRoom film);
-/// Reallocates the film, with what it holds, if it lacks room for so many samples. Whether it did.
+/// Reallocates the film, keeping its contents, if it has no room for this many samples. Returns whether it did.
 bool extendFilm(Device& device, FrameBuffers& buffers, std::uint32_t samples);
 void destroyFrameBuffers(Device& device, FrameBuffers& buffers);
 /// Bindings as in shaders/lib/bindings.glsl.

@@ -11,10 +11,10 @@ namespace pointrt {
 namespace {
 
 constexpr std::uint32_t kFirstNoise = 8;
-// Between noise checks at least 1 / kSmallestStep of the samples is added: about ten checks lead from half way to the
-// target.
+// Each noise check comes after at least 1 / kSmallestStep more samples, so that about ten checks lead from half way to
+// the target.
 constexpr std::uint32_t kSmallestStep = 8;
-constexpr double kDarkest = 0.01; ///< of the mean luminance
+constexpr double kDarkest = 0.01; ///< share of the mean luminance
 
 double luminanceOf(const float* rgb) { return luminance<double>(rgb[0], rgb[1], rgb[2]); }
 
@@ -91,7 +91,7 @@ NoiseMeter::NoiseMeter(std::size_t pixels) {
 
 void NoiseMeter::addRows(const Film& rows) {
     unknown_ = unknown_ || hasFewSamples(rows);
-    if (unknown_) return; // the noise stays unknown: stores nothing
+    if (unknown_) return; // the noise stays unknown, so nothing is stored
     for (std::size_t i = 0; i < rows.variance.size(); ++i)
         lights_.push_back(static_cast<float>(luminanceOf(rows.rgba.data() + 4 * i)));
     variances_.insert(variances_.end(), rows.variance.begin(), rows.variance.end());

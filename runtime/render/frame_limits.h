@@ -15,8 +15,8 @@ constexpr double kTimeOverrun_s = 1;
 
 /// Limits that may end a frame before it has all its samples.
 struct FrameLimits {
-    /// No sample starts that would end later, judged by the earlier ones; a sample that overruns by kTimeOverrun_s is
-    /// aborted.
+    /// No sample starts that is predicted, from the earlier ones, to end later; a sample that overruns by
+    /// kTimeOverrun_s is aborted.
     std::optional<double> seconds;
     std::optional<double> noise; ///< ends when relativeNoise is at or below this
 };
@@ -26,19 +26,20 @@ struct FrameState {
     std::uint32_t samples = 0;    ///< the fewest of any pixel
     double seconds = 0;           ///< since this run started
     double mean = 0;              ///< samples per pixel, averaged over the picture
-    double traced = 0;            ///< share of mean added by this run
+    double traced = 0;            ///< the part of mean that this run added
     std::uint32_t empty_rows = 0; ///< rows without samples
     std::optional<double> noise;  ///< at the last check, at noise_samples
     std::uint32_t noise_samples = 0;
 };
 
 /// Samples per pixel after which to check noise and time again; now.samples if the frame is done. Checks come at
-/// doubling counts, sooner if a limit is near: so they are few, and the bands of a large image, rendered in turn up to
-/// each check, stay within a factor of 2 of each other. progressive: check even without limits, so that an interrupted
-/// frame has samples everywhere.
+/// doubling counts, sooner if a limit is near. So there are few checks, and the bands of a large image, each of which
+/// is rendered up to the next check, stay within a factor of 2 of each other. progressive: check even without limits,
+/// so that an interrupted frame has samples everywhere.
 std::uint32_t nextCheck(const FrameLimits& limits, bool progressive, std::uint32_t most, const FrameState& now);
 
-/// Progress in [0, 1], by the limit that is nearest: samples, time, or noise, which falls as 1 / sqrt(samples).
+/// Progress in [0, 1], by the limit that is closest to being reached: samples, time, or noise, which falls as 1 /
+/// sqrt(samples).
 double shareDone(const FrameLimits& limits, std::uint32_t most, const FrameState& now);
 
 /// Whether there are enough samples to estimate noise: with fewer, too many pixels have missed rare bright paths.
@@ -58,7 +59,7 @@ class NoiseMeter {
 public:
     explicit NoiseMeter(std::size_t pixels);
     void addRows(const Film& rows);
-    /// Of all rows added so far.
+    /// The noise of all rows added so far.
     double noise() const;
 
 private:

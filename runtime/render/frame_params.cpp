@@ -46,7 +46,7 @@ HalfHeights halfHeights(const Camera& camera) {
     return {std::tan(verticalHalfAngle(camera.fov_deg)), 0};
 }
 
-/// From the centre of the picture to the centre of pixel (x, y), in half heights of the picture.
+/// The vector from the centre of the picture to the centre of pixel (x, y), in half heights of the picture.
 Vec3 pixelOffset(const RenderSettings& settings, const Camera& camera, std::uint32_t x, std::uint32_t y) {
     const double aspect = static_cast<double>(settings.width) / settings.height;
     const double across = (2.0 * (x + 0.5) / settings.width - 1.0) * aspect;
@@ -88,7 +88,7 @@ void setInstanceBounds(const DeviceScene& scene, gpu::FrameParams& params) {
     constexpr float kFar = std::numeric_limits<float>::max();
     std::array<float, 3> low{kFar, kFar, kFar}, high{-kFar, -kFar, -kFar};
     for (const Instance& instance : scene.instances) {
-        // those of Gaussians that reach out of their cube are as good as everywhere
+        // boxes of Gaussians that extend out of their cube count as everywhere
         const bool everywhere = scene.files[instance.file].reaches_out;
         if (everywhere) low.fill(-kEverywhere);
         if (everywhere) high.fill(kEverywhere);

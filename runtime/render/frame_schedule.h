@@ -27,9 +27,9 @@ std::vector<FrameBand> emptyBands(std::uint32_t height, std::uint32_t rows);
 struct FrameJob {
     std::uint32_t samples = 1; ///< most samples per pixel
     FrameLimits limits;
-    std::function<bool()> interrupted; ///< may be empty; polled between strips; true ends the frame
-    /// Complete each band before the next. If false, the bands of a frame that may be interrupted take turns, so that
-    /// it has samples everywhere; their films are rounded when they move to the host and back.
+    std::function<bool()> interrupted; ///< may be empty; polled between strips; if it returns true, the frame ends
+    /// True: complete each band before the next. False: the bands of a frame that may be interrupted take turns, so
+    /// that it has samples everywhere; moving their films to the host and back rounds them.
     bool band_by_band = false;
     std::function<void(const FrameState&, double share)> progress; ///< may be empty; called after each strip
     /// May be empty; only for band_by_band jobs without limits. Receives the rows of each band, from the top, as soon
@@ -37,7 +37,7 @@ struct FrameJob {
     std::function<void(const Film& rows)> take_rows;
 };
 
-/// Measurements for the limits.
+/// Measurements that the limits need.
 struct FrameGauges {
     std::function<double()> noise;   ///< noise of the film; called only if the job has a noise limit
     std::function<double()> seconds; ///< a clock
@@ -49,12 +49,13 @@ public:
     /// bands: at least one.
     FrameSchedule(FrameJob job, std::vector<FrameBand> bands, FrameGauges gauges);
 
-    /// The band to trace, with sample number band.samples. Null if the frame is done or interrupted; state is final
-    /// then.
+    /// The band to trace next; the sample number is band.samples. Null if the frame is done or interrupted; state is
+    /// then final.
     const FrameBand* next();
-    /// Reports that `rows` more rows of that band have the sample. The last rows complete it.
+    /// Reports that `rows` more rows of the current band have the sample; the last rows complete it.
     void addRows(std::uint32_t rows);
-    /// Whether to abort the current sample: the frame is interrupted, or overran its time limit. State is final then.
+    /// Whether to abort the current sample because the frame is interrupted or overran its time limit. State is then
+    /// final.
     bool shouldAbort();
 
     /// Changes the number of samples per pixel. The current sample is still completed.

@@ -9,11 +9,12 @@
 namespace pointrt {
 namespace {
 
-/// Most pixels of a band. Their state takes about 600 bytes each, at most 148 in any one buffer, well below the 128 MiB
-/// that some drivers allow for a storage buffer binding. Larger images are rendered in bands of rows.
+/// Largest number of pixels of a band. Each takes about 600 bytes of state, at most 148 of them in any one buffer,
+/// which stays well below the 128 MiB that some drivers allow for a storage buffer binding. Larger images are rendered
+/// in bands of rows.
 constexpr std::uint32_t kBandPixels = 1u << 19;
-/// Most pixels of a strip on CPUs, enough to keep all threads busy: a band is traced strip by strip there. With half as
-/// many, threads wait for each other for a tenth of a frame (tests/bench/NOTES.md).
+/// Largest number of pixels of a strip on CPUs, where a band is traced strip by strip; enough to keep all threads busy.
+/// With half as many, threads wait for each other for a tenth of a frame (tests/bench/NOTES.md).
 constexpr std::uint32_t kStripPixels = 1u << 18;
 
 std::uint32_t wholeTiles(std::uint32_t rows) { return std::max(rows / TILE_SIDE, 1u) * TILE_SIDE; }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Division of a frame into bands of rows, whose film is on the device one at a time, and of bands into strips, whose
-// rays are traced together.
+// Division of a frame into bands of rows and of bands into strips. The film of one band at a time is on the device; the
+// rays of a strip are traced together.
 #pragma once
 
 #include <cstdint>
@@ -16,9 +16,9 @@ struct FrameTiling {
 /// Both are multiples of TILE_SIDE, except at the end of the frame.
 FrameTiling tilingFor(const Device& device, std::uint32_t width, std::uint32_t height);
 
-/// Rows of the next strip of a band of which `done` rows are done: at most `most`, and either whole tiles (including a
-/// partial one at the end of the band) or rows within one tile. So the beam of a tile (beam.comp.glsl) does not depend
-/// on the strips.
+/// Number of rows of the next strip of a band, of which `done` rows are done: at most `most`, and either whole tiles
+/// (including a partial one at the end of the band) or rows of one tile. This keeps the beam of a tile (beam.comp.glsl)
+/// independent of the strips.
 std::uint32_t stripRows(std::uint32_t done, std::uint32_t most, std::uint32_t band_rows);
 
 /// Capacity of a BandTracer.

@@ -11,8 +11,8 @@
 namespace pointrt {
 namespace {
 
-/// Fewest instances for which culling pays: culling a ray takes about as long as missing two or three instances
-/// (tests/bench/NOTES.md, "Tiles of a set").
+/// Smallest number of instances for which culling is faster: culling a ray takes about as long as missing two or three
+/// instances (tests/bench/NOTES.md, "Tiles of a set").
 constexpr std::size_t kFewestCulled = 4;
 /// Boxes of the smaller culling programs: an unused box costs as much as a used one.
 constexpr std::uint32_t kFewBoxes = 8;
@@ -88,7 +88,7 @@ Box boxAround(const Rows& frame, const gpu::InstanceParams& params) {
     return box;
 }
 
-/// The smallest box in whole steps from origin that contains box: its centre and its half edges.
+/// The smallest box in whole steps from origin that contains box, as its centre and half edges.
 std::array<std::uint32_t, 2> packBox(const Box& box, const Vector& origin, double steps) {
     std::array<std::uint32_t, 2> words{};
     for (std::size_t axis = 0; axis < 3; ++axis) {

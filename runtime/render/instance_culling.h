@@ -22,8 +22,8 @@ struct CullGroupBoxes {
 /// Whether the scene may ever need culling. The instances of sets change as tiles are loaded.
 bool mayCull(const DeviceScene& scene);
 
-/// Cull groups of the instances of a scene at these places; none if there are so few that culling takes longer than
-/// intersecting each with all rays.
+/// Cull groups of the scene's instances at these places; none if there are so few instances that intersecting each with
+/// all rays is faster.
 std::vector<CullGroupBoxes> makeCullGroups(const DeviceScene& scene, const std::vector<std::size_t>& places);
 
 /// The boxes of instances of a set, or of whole files, in the frame of the first; at most CULL_INSTANCES.
@@ -31,7 +31,7 @@ gpu::CullBoxes makeCullBoxes(const DeviceScene& scene, std::span<const std::size
 
 /// Number of boxes that the culling programs of a group of count instances are built for.
 std::uint32_t cullProgramSize(std::size_t count);
-/// All such numbers that the scene's instances need, or may need when tiles are loaded.
+/// All such numbers that the scene's instances need now or may need when tiles are loaded.
 std::vector<std::uint32_t> cullProgramSizes(const DeviceScene& scene);
 
 } // namespace pointrt

@@ -12,15 +12,17 @@
 
 namespace pointrt {
 
-/// Whether an instance is uneven, oriented, noisy, a tile clipped to its core, cut by clips, and may have balls
-/// (shaders/trace/instance.glsl), whether it holds Gaussians, how its buffers are read and its cells are found, and the
-/// pages of its buffers (shaders/lib/pages.glsl).
+/// trace/instance.glsl), whether it holds Gaussians, how its buffers are read and its cells are found, and the pages of
+/// its buffers (shaders/lib/pages.glsl)./Whether an instance is uneven, oriented, noisy, a tile clipped to its core or
+/// cut by clips, whether it may have balls (shaders/trace/instance.glsl) or holds Gaussians, how its buffers are read
+/// and its cells found, and the pages of its buffers (shaders/lib/pages.glsl)./trace/instance.glsl), whether it holds
+/// Gaussians, how its buffers are read and its cells are found, and the pages of its buffers (shaders/lib/pages.glsl).
 struct InstanceTraits {
     bool uneven = false, oriented = false, noisy = false, clips_to_core = false, clipped = false, has_balls = false;
     bool is_gaussian = false;
     bool reads_storage = false;     ///< DeviceScan::reads_storage
     bool queries_rays = false;      ///< DeviceScan::queries_rays
-    std::uint32_t pooled_tiles = 0; ///< most tiles of a PooledGroup; 0: a single instance
+    std::uint32_t pooled_tiles = 0; ///< largest number of tiles of a PooledGroup; 0: a single instance
     std::uint32_t harmonics = 0;    ///< degree of the Gaussians' harmonics
     PageCounts pages;               ///< all 0 if every buffer has a single page
     auto operator<=>(const InstanceTraits&) const = default;

@@ -12,7 +12,7 @@ enum class KernelForm {
                  ///< instances; GPUs stop after one bounce
 };
 
-/// A form to use whatever the device; none: the one that suits the device.
+/// The form to use on every device; none: the one that suits the device.
 using FormRequest = std::optional<KernelForm>;
 
 } // namespace pointrt

@@ -26,7 +26,7 @@ constexpr double kFilesShare = 0.0, kRowsShare = 0.15, kProgramsShare = 0.2, kPh
 
 double aspectOf(const RenderSettings& settings) { return static_cast<double>(settings.width) / settings.height; }
 
-/// Scans of unknown units are taken to be in metres.
+/// Scans of unknown unit are assumed to be in metres.
 double unitsOf(double metres, const DeviceScene& scene) {
     const double metres_per_unit = metresPerUnit(scene);
     return metres_per_unit > 0 ? metres / metres_per_unit : metres;
@@ -52,8 +52,8 @@ FramedRequest framed(const LoadedScene& loaded, const CameraRequest& request, co
 /// the bounds of the discs, so that a floor does not cut through them.
 Bounds shownBounds(const DeviceScene& scene, const SceneSample& sample, Vec3 up) {
     if (sample.splats.empty() || scene.description.instances.empty()) return scene.bounds;
-    constexpr double kMargin = 0.1;       // of each edge, for rims that the sample misses
-    constexpr double kFloorMargin = 0.01; // on more, a scene hovers visibly above its floor
+    constexpr double kMargin = 0.1;       // share of each edge, for rims that the sample misses
+    constexpr double kFloorMargin = 0.01; // with a larger margin, a scene visibly hovers above its floor
     if (sample.splats.size() < kEachCounts) {
         const SampleBox discs = discBounds(sample);
         return {discs.low, discs.high};
@@ -74,7 +74,7 @@ bool holdsOnlyGaussians(const DeviceScene& scene) {
            std::all_of(scans.begin(), scans.end(), [](const DeviceScan* scan) { return scan->is_gaussian; });
 }
 
-/// The heights of what clips keep, if there are any.
+/// The range of heights that clips keep, if there are any clips.
 std::optional<ValueRange> keptHeights(const SceneSample& kept, Vec3 up) {
     std::vector<double> heights;
     for (const SampledSplat& splat : kept.splats) heights.push_back(dot(splat.position, up));
@@ -94,24 +94,24 @@ void chooseColorsByDefault(LoadedScene& loaded) {
     loaded.colored_by_default = true;
 }
 
-/// What the lamps adapt to. Of an eye within the scene, the mean of what its camera sees: that is all of the picture,
-/// and it may be darker or brighter than the rest of the scan.
+/// The reflectance that lamps adapt to. For an eye within the scene, the mean of what its camera sees: that fills the
+/// picture, and it may be darker or brighter than the rest of the scan.
 StudioSubject subjectOf(const LoadedScene& loaded, const Camera& camera, const FramedRequest& view) {
-    constexpr double kViridisMean = 0.28; // of its 256 colours
+    constexpr double kViridisMean = 0.28; // mean of its 256 colours
     StudioSubject subject{brightReflectance(loaded.kept_sample), view.within,
                           holdsOnlyGaussians(loaded.scene) && !loaded.settings.relight, view.walls,
                           meanReflectance(loaded.kept_sample)};
     subject.lowest = lowestIfTilted(loaded.sample, sceneUp(loaded.scene.description, loaded.settings));
     if (!view.within) return subject;
-    if (camera.panorama) return subject; // sees all of it
+    if (camera.panorama) return subject; // a panorama sees all of it
     const ViewBasis basis{camera.right, camera.up, camera.forward};
     const SceneSample visible = visibleFrom(loaded.kept_sample, camera.eye, basis, camera.fov_deg);
     subject.reflectance = loaded.colored_by_default ? kViridisMean : meanReflectance(visible);
     return subject;
 }
 
-/// Path traces scans seen from outside, whose light then bounces. Among walls eight samples of a small lamp leave
-/// noise, and take up to ten times as long. Gaussian captures hold their light already.
+/// Whether to path trace by default: only scans seen from outside. Between walls, eight samples of a small lamp leave
+/// noise and take up to ten times as long. Gaussian captures contain their light already.
 void chooseIntegratorByDefault(LoadedScene& loaded) {
     if (loaded.subject.only_gaussians || loaded.subject.around_eye) return;
     if (!isLitByDefault(loaded.scene.description, loaded.settings)) return;
@@ -122,14 +122,14 @@ void chooseIntegratorByDefault(LoadedScene& loaded) {
     loaded.subject.is_ground = placeKindOf(loaded.scene, loaded.sample, up) == PlaceKind::kSite;
 }
 
-/// Cuts the scene, and turns the cameras to the cut if they face it.
+/// Cuts the scene, and turns the cameras that are to face the section.
 void applySection(LoadedScene& loaded, const LoadRequest& request, CameraRequest& staging) {
     SceneDescription& scene = loaded.scene.description;
     const Section section = makeSection(*request.section, sceneUp(scene, loaded.settings));
     scene.clips.insert(scene.clips.end(), section.clips.begin(), section.clips.end());
     requireFewHalfSpaces(scene.clips);
     if (!request.faces_section) return;
-    if (!scene.up) scene.up = sceneUp(scene, loaded.settings); // the camera of a plan has an up of its own
+    if (!scene.up) scene.up = sceneUp(scene, loaded.settings); // the camera of a plan has its own up
     for (CameraRequest* camera : {&loaded.settings.camera, &staging}) {
         if (!request.settings.camera.up) camera->up = section.up;
         camera->side = section.side;
@@ -149,7 +149,7 @@ void prepareScene(Device& device, LoadedScene& loaded, const LoadRequest& reques
     loaded.free_share = request.free_share;
     loaded.shown = shownBounds(scene, loaded.sample, sceneUp(scene.description, loaded.settings));
     if (request.chooses_colors) chooseColorsByDefault(loaded);
-    // a view from above has an up of its own; keep that of the scene
+    // the up of a view from above differs; keep that of the scene
     if (loaded.settings.camera.view && !scene.description.up)
         scene.description.up = sceneUp(scene.description, loaded.settings);
     loaded.described = scene.description;
@@ -221,7 +221,7 @@ std::unique_ptr<LoadedScene> loadScene(Device& owner, Device& worker, const Load
     begin("reading", kFilesShare);
     loaded->settings = request.settings;
     loaded->scene = openScene(worker, request.scene, request.verbose);
-    // tiles will be loaded and evicted
+    // further tiles will be loaded and evicted later
     if (request.roots_alone)
         loaded->scene.tile_cache_bytes = pictureTileMemory(worker, request.settings, request.memory);
     begin("materials and lights", kRowsShare);

@@ -20,7 +20,7 @@
 
 namespace pointrt {
 
-/// What the programs of a tracer are specialized for.
+/// The traits that the programs of a tracer are specialized for.
 struct ProgramKinds {
     std::uint32_t features = 0, shape_kinds = 0;
     Integrator integrator = Integrator::kPhong;
@@ -39,17 +39,17 @@ struct LoadedScene {
     LoadedScene& operator=(const LoadedScene&) = delete;
 
     Device& device;
-    SceneDescription described; ///< as in its file, made upright; scene.description also has surroundings
-    RenderSettings settings;    ///< that its tables were built for
+    SceneDescription described; ///< as in its file, turned upright; scene.description also has surroundings
+    RenderSettings settings;    ///< the settings that its tables were built for
     Camera camera;              ///< the initial camera
     std::optional<CameraRequest> section_camera; ///< looks at the section of the request; not framed yet
     Vec3 staged_for;                             ///< the eye that its surroundings were made for, world frame
-    SceneSample sample;        ///< of the splats of its scans, for surroundings, which clips do not move
-    SceneSample kept_sample;   ///< of those that clips keep, for framing and exposure
+    SceneSample sample;        ///< sample of the splats of its scans, for surroundings, which do not depend on clips
+    SceneSample kept_sample;   ///< sample of the splats that clips keep, for framing and exposure
     Bounds shown;              ///< bounds of the scene without strays
     std::optional<Vec3> pivot; ///< centre of what the initial camera shows, if it was framed automatically
     StudioSubject subject;
-    bool colored_by_default = false; ///< settings.color_by is of defaultColors
+    bool colored_by_default = false; ///< settings.color_by was chosen by defaultColors
     double free_share = 1;           ///< LoadRequest::free_share
     double aside = 0;                ///< distance of the pivot to the left of the picture's centre, in picture heights
     DeviceScene scene;
@@ -64,7 +64,8 @@ MeasureUnits measureUnits(const LoadedScene& loaded);
 /// The axis that turntables of the scene rotate about.
 TurntableAxis turntableAxis(const LoadedScene& loaded);
 
-/// The camera of a picture of a moving camera: of a turntable, or on the path through the scene's views. Throws Error
+/// The camera for one picture of a moving camera: on a turntable, or on the path through the scene's views. Throws
+/// Error
 /// kBadUsage if the path has fewer than two views, and as frameCamera does.
 /// @param first of the turntable
 /// @param frame below frames
@@ -74,22 +75,23 @@ Camera movingCamera(const LoadedScene& loaded, const Camera& first, bool follows
 struct LoadRequest {
     SceneDescription scene;
     RenderSettings settings;
-    CameraRequest staging;          ///< surroundings are made for this camera: that of the settings without a view
+    CameraRequest staging;          ///< the camera for which surroundings are made: that of the settings without a view
     std::optional<TracerSize> size; ///< of the tracer; none: for frames of the settings' size
     std::optional<SectionRequest> section; ///< adds clips to the scene
-    bool faces_section = false;            ///< the cameras of settings and staging look at the section
-    std::optional<Vec3> fallback_up;       ///< if neither scene nor scans define it; none: that of the camera
-    bool chooses_colors = false;           ///< color scans without colour by defaultColors
+    bool faces_section = false;            ///< whether the cameras of settings and staging look at the section
+    std::optional<Vec3> fallback_up;       ///< up if neither scene nor scans define it; none: that of the camera
+    bool chooses_colors = false;           ///< colour scans without colours by defaultColors
     bool chooses_integrator = false;       ///< path trace scans seen from outside that are lit by default
     bool fov_is_free = false;              ///< not specified by the user: framing may widen it
     double free_share = 1;                 ///< uncovered share of the picture's width, from the left
     std::uint64_t memory = kTileMemory;    ///< bytes, for pictures of sets
     bool roots_alone = false;              ///< load only the root tiles of sets now; others follow later
-    std::uint32_t turntable = 0; ///< pictures of a moving camera to select tiles for; 0: the initial camera only
-    bool follows_views = false;  ///< the camera moves through the scene's views, not around it
-    bool refines_tiles = false;  ///< also refine tiles outside the views where secondary rays hit them
+    /// Number of pictures of a moving camera to select tiles for; 0: the initial camera only.
+    std::uint32_t turntable = 0;
+    bool follows_views = false; ///< the camera moves along the scene's views, not around the target
+    bool refines_tiles = false; ///< also refine tiles outside the views where secondary rays hit them
     bool verbose = false;
-    FormRequest form; ///< of its kernels
+    FormRequest form; ///< form of its kernels
 };
 
 /// Called at the start of each stage of loading, with its name and the progress in [0, 1]. May throw to cancel loading.

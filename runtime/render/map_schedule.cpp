@@ -18,7 +18,7 @@ constexpr int kPixelBits = 18, kSampleBits = 2;
 } // namespace
 
 std::uint32_t mapOfSample(std::uint32_t sample, std::uint64_t pixels) {
-    // powers of two: the samples of each map then cover a pixel evenly (shaders/lib/sampler.glsl)
+    // powers of two, so that the samples of each map cover a pixel evenly (shaders/lib/sampler.glsl)
     const int bits = std::bit_width(std::max<std::uint64_t>(pixels, 1) - 1);
     return sample >> std::clamp(kSampleBits + (kPixelBits - bits) / 2, 0, 31);
 }

@@ -9,7 +9,7 @@
 
 namespace pointrt {
 
-/// Number of the map that a sample uses, in a picture of so many pixels.
+/// Number of the map that a sample uses, in a picture of this many pixels.
 std::uint32_t mapOfSample(std::uint32_t sample, std::uint64_t pixels);
 
 /// Radius of the discs of a map relative to those of the first map.

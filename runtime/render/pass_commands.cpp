@@ -12,7 +12,7 @@
 namespace pointrt {
 namespace {
 
-/// Span of the time that profiling itself takes.
+/// Name of the host span for the time that profiling itself takes.
 constexpr const char* kReadSpan = "profile: counters and clock read";
 
 /// Offset in gpu::Control of the group count for a list.
@@ -173,11 +173,11 @@ void PassCommands::recordTimed(const Pass& pass) {
                       stepOf(pass)});
 }
 
-/// Keeps the counters as they are before the next pass.
+/// Copies the counters as they are before the next pass.
 void PassCommands::copyCounters(std::size_t place) {
     const VkBufferCopy copy{0, place * sizeof(gpu::Control), sizeof(gpu::Control)};
     vkCmdCopyBuffer(commands_, control_.handle, profile_->clock.counters.handle, 1, &copy);
-    recordBarrier(commands_); // the next pass changes them
+    recordBarrier(commands_); // because the next pass changes them
 }
 
 /// Submits the passes recorded since the last call, and adds them to the profile.

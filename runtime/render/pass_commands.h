@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Records and submits passes: all in one submission, or when profiling on a CPU device one submission per pass.
+// Records and submits passes: all in one submission, except that profiling on a CPU device takes one submission per
+// pass.
 #pragma once
 
 #include <chrono>
@@ -24,7 +25,7 @@ struct Pass {
     bool overlaps = false;    ///< the next pass uses no buffer that this one writes, and writes none that it uses
 };
 
-/// Where a submission leaves counters of its samples and its time.
+/// Where a submission stores the counters of its samples and its time.
 struct PassReadback {
     const Buffer& counters; ///< host-readable, with room for kSamplesAtOnce of each submission
     std::uint32_t place = 0;
@@ -36,34 +37,34 @@ std::vector<gpu::Control> readCounters(const Device& device, const PassReadback&
 
 class PassCommands {
 public:
-    /// Of samples whose counters, gpu::Control, are in control. profile may be null; it, the timer and the buffers must
-    /// outlive this.
+    /// For samples whose counters (gpu::Control) are in control. profile may be null; profile, timer and the buffers
+    /// must outlive this.
     PassCommands(Device& device, const Buffer& control, const PassReadback& readback, PassProfile* profile);
 
-    /// A name for the passes recorded while it lives, for debuggers; none while profiling.
+    /// Labels the passes recorded during its lifetime, for debuggers; not while profiling.
     CommandLabel label(const char* name) const { return {device_, profile_ ? VK_NULL_HANDLE : commands_, name}; }
-    /// Starts a sample or its next passes. tiles: of the band.
+    /// Starts a sample or its next passes. tiles: number of the band's tiles.
     void beginSample(std::uint32_t tiles) { tiles_ = tiles; }
     /// Sets the parameters of later passes.
     void setParams(const Buffer& buffer, const gpu::FrameParams& params);
-    /// Its writes are visible to later passes.
+    /// Later passes see what it writes.
     void run(const Pass& pass);
-    /// Copies how many rays have hit the instances just traced to counts[place] of each: the length of the hit list, or
-    /// where several tiles were traced together what intersect_closest has counted. Not where each pass is submitted
+    /// Copies the number of rays that hit each of the instances just traced to its counts[place]: the length of the hit
+    /// list, or, if several tiles were traced together, the counts of intersect_closest. Not if each pass is submitted
     /// by itself.
     void copyHitCounts(const Buffer& counts, const std::vector<std::size_t>& places);
-    /// Keeps the counters as they are after the passes so far. At most `samples` times.
+    /// Stores the counters as they are after the passes so far. At most `samples` times.
     void endSample();
     /// Records commands that are not passes, after all passes so far.
     void record(const std::function<void(VkCommandBuffer)>& commands);
-    /// Waits for all passes and returns the counters that endSample kept.
+    /// Waits for all passes and returns the counters that endSample stored.
     std::vector<gpu::Control> finish();
     /// Submits all passes in place of finish, and returns the submission's number; its counters are read with
     /// readCounters. Not while profiling.
     std::uint64_t submit();
-    /// The same with the next submission (submitWithNext).
+    /// The same, but with the next submission (submitWithNext).
     std::uint64_t submitLater();
-    std::uint32_t samples() const { return samples_; } ///< ended
+    std::uint32_t samples() const { return samples_; } ///< samples that ended
 
 private:
     VkCommandBuffer end();
@@ -80,10 +81,10 @@ private:
     PassReadback readback_;
     std::uint32_t tiles_ = 0;
     PassProfile* profile_;
-    VkCommandBuffer commands_ = VK_NULL_HANDLE; ///< unless each pass is submitted by itself
-    std::uint32_t samples_ = 0;                 ///< ended
-    std::vector<PassRun> timed_;                ///< recorded, when profiling
-    gpu::Control counters_{};                   ///< after the last pass that was submitted by itself
+    VkCommandBuffer commands_ = VK_NULL_HANDLE; ///< null if each pass is submitted by itself
+    std::uint32_t samples_ = 0;                 ///< samples that ended
+    std::vector<PassRun> timed_;                ///< recorded passes, when profiling
+    gpu::Control counters_{};                   ///< counters after the last pass that was submitted by itself
     std::vector<gpu::Control> ended_;           ///< of samples whose passes were submitted by themselves
 };
 

@@ -12,18 +12,18 @@ namespace {
 
 constexpr std::uint64_t kWord = sizeof(std::uint32_t), kVector = sizeof(gpu::vec4), kHit = sizeof(gpu::uvec4);
 constexpr std::uint64_t kPath = sizeof(gpu::PathState), kQuery = sizeof(gpu::DirectLightQuery);
-/// Of a path where the throughput is not needed.
+/// Bytes of a queued path whose throughput is not needed.
 constexpr std::uint64_t kQueuedRay = kPath - kVector;
-/// Stored, and loaded by what shades it; the hit is loaded and stored.
+/// Stored once and loaded once by the pass that shades it; the hit is loaded and stored.
 constexpr std::uint64_t kSurfaceOfHit = 2 * sizeof(gpu::StoredSurface) + 2 * kHit;
 constexpr std::uint64_t kShadowRay = sizeof(gpu::ShadowRay);
-/// Two of the Gaussians that wait, stored or loaded.
+/// Two of the waiting Gaussians, stored or loaded.
 constexpr std::uint64_t kWaiting = 2 * sizeof(gpu::WaitingGaussian);
 /// Film traffic of accumulating light: rgb of one layer and the luminance, read and written.
 constexpr std::uint64_t kAddedLight = 2 * (3 * kWord + kWord);
 
-/// Bytes per lane of a program (see PassTally::bytes), per ray that it queues, and per query or shadow ray that it
-/// appends to LIST_DIRECT_LIGHT. direct: more per lane with STEP_DIRECT.
+/// Memory traffic of a program in bytes (see PassTally::bytes): per lane, per ray that it queues, and per query or
+/// shadow ray that it appends to LIST_DIRECT_LIGHT. direct: additional bytes per lane with STEP_DIRECT.
 struct PassBytes {
     const char* program;
     std::uint64_t bytes, ray = kPath, query = kQuery, direct = 0;
@@ -34,7 +34,7 @@ constexpr PassBytes kPassBytes[] = {
     {"intersect_shapes (camera)", kHit},
     {"intersect_shapes", kWord + kQueuedRay + kHit},
     {"beam", kWord},
-    {"intersect_camera", kHit}, // the number and beam of a tile are 1/64 of a word each
+    {"intersect_camera", kHit}, // plus the number and beam of a tile, 1/64 of a word each
     {"intersect_closest", kWord + kQueuedRay + kHit},
     {"surface (camera)", kWord + kSurfaceOfHit},
     {"surface", kWord + kQueuedRay + kSurfaceOfHit},
@@ -43,7 +43,7 @@ constexpr PassBytes kPassBytes[] = {
     {"gaussian_first_hits", 2 * FIRST_HIT_VECTORS* kVector},
     {"gather_gaussians (camera)", kHit + kWaiting},
     {"gather_gaussians", kWord + kPath + kHit + kWaiting},
-    // rays that go on are appended to LIST_DIRECT_LIGHT without a query
+    // rays that continue are appended to LIST_DIRECT_LIGHT without a query
     {"blend_gaussians (camera)", kHit + kWaiting + kVector, kPath, 0},
     {"blend_gaussians", kWord + kHit + kWaiting + kVector, kPath, 0},
     {"blend_first_hits", kWaiting + FIRST_HIT_VECTORS* kVector, kPath, 0},
@@ -59,7 +59,7 @@ constexpr PassBytes kPassBytes[] = {
     {"intersect_shadow_shapes", kWord + kQuery + kWord},
     {"intersect_shadow", kWord + kQuery + 2 * kWord},
     {"shade_shadow", kWord + kQuery + kWord + kAddedLight},
-    // for one light sample; megakernels that sample every light append queries, which are larger than shadow rays
+    // with one light sample; megakernels that sample every light append queries, which are larger than shadow rays
     {"megakernel (camera)", kHit + 2 * FILM_LAYERS* kVector, kPath + kHit, kShadowRay},
     {"megakernel", kWord + kPath + kHit + 2 * kVector, kPath + kHit, kShadowRay, 2 * kVector},
     {"intersect_shadow_ray", kWord + kShadowRay + kAddedLight},
@@ -71,8 +71,8 @@ constexpr PassBytes kPassBytes[] = {
     {"caustic", kWord + kQuery + kAddedLight},
 };
 
-/// Passes timed in one submission: those of a sample of a long path, or of many lamps. A submission with more is
-/// divided.
+/// Largest number of passes timed in one submission: enough for a sample of a long path or with many lamps. A
+/// submission with more is divided.
 constexpr std::uint32_t kTimedPasses = 256;
 
 /// Entries that a run has appended to queues and lists, and the bytes stored with them.

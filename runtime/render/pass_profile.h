@@ -18,13 +18,13 @@ namespace pointrt {
 struct PassTally {
     std::string name; ///< of the program
     std::uint64_t runs = 0;
-    double device_ms = 0;        ///< by the device's clock, if it has one
-    double host_ms = 0;          ///< by the host's clock: recording and, of a submission of its own, the rest of it
-    double cpu_ms = 0;           ///< CPU time of this process meanwhile, including a CPU device's threads; or 0
+    double device_ms = 0; ///< by the device's clock, if it has one
+    double host_ms = 0;   ///< by the host's clock: recording, and waiting for passes that have their own submission
+    double cpu_ms = 0;    ///< CPU time of this process meanwhile, including a CPU device's threads; 0 if not measured
     std::uint64_t lanes_in = 0;  ///< lanes with work
     std::uint64_t lanes_out = 0; ///< entries they appended to queues and lists
-    /// Bytes of queues, paths, hits, surfaces, light and film loaded and stored, by the sources. Excludes what
-    /// traversal and blending read of a scan, which depends on each ray.
+    /// Bytes of queues, paths, hits, surfaces, light and film loaded and stored, counted from the shader sources.
+    /// Excludes reads of the scan by traversal and blending, which depend on each ray.
     std::uint64_t bytes = 0;
 };
 
@@ -34,12 +34,13 @@ struct HostTally {
     double ms = 0;
 };
 
-/// What measures passes. On a CPU device, or without timestamps, each pass is a submission of its own, whose processor
-/// time is measured too; elsewhere the passes of a submission are timed within it.
+/// Measures passes. On a CPU device, or without timestamps, each pass is submitted separately and its processor time is
+/// measured too; otherwise the passes of a submission are timed within it.
 struct PassClock {
     GpuTimer timer;
-    Buffer
-        counters; ///< gpu::Control before each pass of a submission and after the last; without a handle: one pass each
+    Buffer /// Gpu::Control before each pass of a submission and after the last; without a handle if each pass is
+           /// submitted separately.
+        counters;
 };
 
 /// Owned by the caller: free it with destroyPassClock before the device.
@@ -54,13 +55,13 @@ struct PassProfile {
     std::vector<HostTally> host;   ///< ordered by first use
 };
 
-/// Resets all but the clock.
+/// Resets everything but the clock.
 void clearProfile(PassProfile& profile);
 
-/// Time of the frames outside passes and host spans, in milliseconds.
+/// Time of the frames that neither passes nor host spans account for, in milliseconds.
 double unaccountedMilliseconds(const PassProfile& profile);
 
-/// What the lanes of a pass are; gpu::Control has their number.
+/// What a lane of a pass works on; gpu::Control has the number of lanes.
 enum class PassLanes { kOne, kTiles, kTilesLeft, kPixels, kQueueZero, kQueueOne, kList, kHits };
 
 /// Number of lanes with work. tiles: of the band; list: for kList, LIST_* or a culled list.
@@ -77,7 +78,7 @@ struct PassRun {
     std::uint32_t list = 0; ///< for kList
     std::uint32_t step = 0; ///< STEP_*
 };
-/// Throws std::logic_error for a program that kPassBytes in pass_profile.cpp lacks.
+/// Throws std::logic_error for a program that is not in kPassBytes (pass_profile.cpp).
 void addRun(PassProfile& profile, const PassRun& run);
 
 /// Times the host during its lifetime, under a name. Spans must not nest, nor contain a pass.

@@ -36,13 +36,13 @@ Numbers quasiRandom(std::uint64_t i, const Numbers& shift) {
     return u;
 }
 
-/// Offset of the photons of a map in the sequence of all maps with count photons each, plus a random offset for seeds
+/// The place of a map's photons in the sequence of all maps with count photons each, plus a random offset for seeds
 /// other than 0.
 Numbers shiftOf(PhotonSequence sequence, std::uint64_t count) {
     std::mt19937 random(sequence.seed);
     Numbers shift{};
     for (std::size_t k = 0; k < shift.size(); ++k) {
-        // in two steps: a large product would lose fractional digits
+        // in two steps, since a large product would lose fractional digits
         const double map_step = fraction(kSteps[k] * static_cast<double>(count));
         const double of_seed = sequence.seed == 0 ? 0 : std::ldexp(static_cast<double>(random()), -32);
         shift[k] = fraction(map_step * sequence.map + of_seed);
@@ -52,7 +52,7 @@ Numbers shiftOf(PhotonSequence sequence, std::uint64_t count) {
 
 double brightness(const gpu::Light& light) { return (light.power.x + light.power.y + light.power.z) / 3.0; }
 
-/// Photons that estimate the flux of a pair of light and target.
+/// Photons that estimate the flux from a light to a target.
 constexpr std::uint32_t kTrialPhotons = 256;
 
 double pairFlux(const gpu::Light& light, const PhotonTarget& target, RenderSphere scene) {
@@ -61,7 +61,7 @@ double pairFlux(const gpu::Light& light, const PhotonTarget& target, RenderSpher
     return sum / kTrialPhotons * brightness(light);
 }
 
-/// The bits of a valid path are never 0.
+/// A valid path never has only zero bits.
 bool isEmitted(const gpu::PathState& path) { return path.bits != 0; }
 
 } // namespace
@@ -86,7 +86,7 @@ PhotonEmission::PhotonEmission(std::span<const gpu::Light> lights, std::vector<P
     shift_ = shiftOf(sequence, count_);
 }
 
-/// Zero if the photon would carry no light.
+/// The path of photon i; zero if it would carry no light.
 gpu::PathState PhotonEmission::pathOf(std::uint64_t photon) const {
     const auto behind = std::upper_bound(pairs_.begin(), pairs_.end(), photon,
                                          [](std::uint64_t number, const Pair& pair) { return number < pair.first; });

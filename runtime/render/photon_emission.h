@@ -12,14 +12,14 @@
 
 namespace pointrt {
 
-/// Selects the photons to emit: a different set for each map and each seed.
+/// Selects the photons to emit: another set for each map and each seed.
 struct PhotonSequence {
     std::uint32_t map = 0, seed = 0;
 };
 
 /// About count photon paths, each with its flux, from all lights except sky images to all targets, in proportion to the
 /// flux from each light to each target. Directions are quasi-random and deterministic; those of all maps of a seed form
-/// one even sequence. All light from a light into the bounding sphere of a target is sampled; photons that first hit
+/// one even sequence. All of a light's emission into the bounding sphere of a target is sampled; photons that first hit
 /// something else are dropped (shaders/shade/photon.comp.glsl).
 class PhotonEmission {
 public:

@@ -13,12 +13,12 @@ namespace pointrt {
 
 namespace {
 
-/// Least photons in a kernel where they are dense. The relative error of the light is about the inverse root of this,
-/// less thanks to quasi-random photons.
+/// Smallest number of photons in a kernel where they are dense. The relative error of the light is about the inverse
+/// root of this number, or less, since photons are quasi-random.
 constexpr std::uint32_t kKernelPhotons = 48;
 /// Photons sampled to choose the finest radius.
 constexpr std::size_t kProbes = 64;
-/// Approximate number of photons among which neighbours are searched.
+/// Approximate number of photons to search for neighbours in.
 constexpr std::size_t kSearched = 1u << 16;
 /// Largest radius of the finest kernel, in scene radii.
 constexpr double kMaxRadius = 0.01;
@@ -28,9 +28,9 @@ double squaredDistance(const gpu::Photon& a, const gpu::Photon& b) {
     return x * x + y * y + z * z;
 }
 
-/// The 1/8 quantile of the distances of kProbes photons to their kKernelPhotons-th neighbour. Among many photons only
-/// every n-th is searched, for a neighbour of a rank n times lower; the number of probes averages out the lower
-/// precision.
+/// The 1/8 quantile of the distances of kProbes photons to their kKernelPhotons-th neighbour. If there are
+/// many photons, it searches only every n-th of them, for the neighbour of a rank n times lower; averaging over the
+/// probes makes up for the lower precision.
 double finestRadius(const std::vector<gpu::Photon>& photons) {
     const std::size_t thinning = std::clamp<std::size_t>(photons.size() / kSearched, 1, kKernelPhotons / 4);
     std::vector<gpu::Photon> searched;
@@ -57,7 +57,7 @@ struct Cell {
     std::int32_t x, y, z;
 };
 
-/// Computed as in the shader.
+/// Must agree with the shader.
 Cell cellOf(Vec3f at, float cells) {
     const auto along = [&](float x) { return static_cast<std::int32_t>(std::floor(x * cells)); };
     return {along(at.x), along(at.y), along(at.z)};
@@ -65,7 +65,7 @@ Cell cellOf(Vec3f at, float cells) {
 
 Vec3f placeOf(const gpu::Photon& photon) { return {photon.position.x, photon.position.y, photon.position.z}; }
 
-/// As in shaders/shade/caustic.glsl.
+/// Must agree with shaders/shade/caustic.glsl.
 std::uint32_t bucketOf(Cell cell, std::uint32_t level) {
     const auto u = [](std::int32_t i) { return static_cast<std::uint32_t>(i); };
     return (u(cell.x) * PHOTON_HASH_X ^ u(cell.y) * PHOTON_HASH_Y ^ u(cell.z) * PHOTON_HASH_Z ^
@@ -94,8 +94,8 @@ void chooseLevels(std::vector<gpu::Photon>& photons, Levels levels) {
     }
 }
 
-/// Start of each bucket in an array of all entries, and the end of the last. bucketsOf(i, visit) visits the buckets of
-/// photon i.
+/// The start of each bucket in an array of all entries, and the end of the last one. bucketsOf(i, visit) visits the
+/// buckets of photon i.
 template <typename BucketsOf>
 std::vector<std::uint32_t> startsOf(std::size_t photons, const BucketsOf& bucketsOf) {
     std::vector<std::uint32_t> starts(PHOTON_BUCKETS + 1, 0);
@@ -125,7 +125,7 @@ void visitBuckets(const gpu::Photon& photon, Levels levels, const Visit& visit) 
     };
     const Vec3f normal{byte(0), byte(8), byte(16)}, place = placeOf(photon),
                                                     in_cells{place.x * cells, place.y * cells, place.z * cells};
-    // in cells: half the extent of a cell along the normal, plus the reach of the disc with a margin for rounding
+    // in cells: half the extent of a cell along the normal, plus that of the disc, with a margin for rounding
     const float reach = 0.5f * (std::abs(normal.x) + std::abs(normal.y) + std::abs(normal.z)) + 0.51f * PHOTON_REACH;
     const Cell low = cellOf({place.x - 0.5f / cells, place.y - 0.5f / cells, place.z - 0.5f / cells}, cells);
     std::array<std::uint32_t, 8> visited{};
@@ -154,7 +154,7 @@ std::vector<std::uint32_t> listByCell(const std::vector<gpu::Photon>& photons, L
     return words;
 }
 
-/// Initializes the levels, without photons.
+/// Initializes the levels of a map without photons.
 void setRadii(gpu::CausticFrame& frame, double finest) {
     constexpr float kNowhere = std::numeric_limits<float>::max();
     for (gpu::PhotonLevel& level : frame.levels) {
@@ -183,12 +183,12 @@ PhotonMap sortPhotons(std::vector<gpu::Photon> photons, double scene_radius, Pho
     map.buckets.assign(PHOTON_BUCKETS + 1, PHOTON_BUCKETS + 1);
     setRadii(map.frame, 1);
     if (photons.empty()) return map;
-    // no narrower than the resolution of floats of that size
+    // at least the resolution of floats at that size
     const double least = 1e-5 * scene_radius;
     map.finest = discs.finest > 0 ? discs.finest : std::clamp(finestRadius(photons), least, kMaxRadius * scene_radius);
     map.frame.count = {static_cast<std::uint32_t>(photons.size()), 0, 0, 0};
     const Levels levels(map.frame.levels);
-    // by cells that do not shrink: narrower ones would measure the density less and less precisely
+    // uses cells that do not shrink: narrower cells would measure the density less and less precisely
     setRadii(map.frame, map.finest);
     chooseLevels(photons, levels);
     setRadii(map.frame, std::max(map.finest * discs.shrink, least));

@@ -18,8 +18,8 @@ struct Pick {
     Vec3 position, normal;              ///< input frame
 };
 
-/// Traces that ray; none for a miss. Uses the tracer's buffers, which must have room for the film of the whole picture:
-/// no strip may be in progress, and the first hits of the row in the film are overwritten.
+/// Traces that ray; none for a miss. Uses the tracer's buffers, which must have room for the film of the whole picture.
+/// No strip may be in progress. Overwrites the first hits of the row in the film.
 std::optional<Pick> pickPixel(Device& device, BandTracer& tracer, const RenderSettings& settings, const Camera& camera,
                               std::uint32_t x, std::uint32_t y);
 

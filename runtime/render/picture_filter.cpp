@@ -13,7 +13,7 @@ namespace pointrt {
 namespace {
 
 constexpr std::uint32_t kTilePixels = 1u << 21;
-/// Wider tiles would have few rows and large borders.
+/// Wider tiles would have few rows, so that their borders would be a large part.
 constexpr std::uint32_t kTileWidth = 1u << 12;
 constexpr std::uint64_t kTexelBytes = 4 * sizeof(float);
 constexpr std::uint64_t kTileBytes =
@@ -47,14 +47,14 @@ void interleave(const std::vector<float>& xyz, float missing_xyz, const std::vec
     }
 }
 
-/// Columns of results of a tile of this width with borders on both sides.
+/// The columns of the result for a tile of this width with borders on both sides.
 std::uint32_t innerWidth(std::uint32_t width) { return width - 2 * kDenoiseReach; }
 
 void dropFront(std::vector<float>& texels, std::size_t count) {
     texels.erase(texels.begin(), texels.begin() + static_cast<std::ptrdiff_t>(count));
 }
 
-/// Puts margin pixels from the other end before and after the row that texels, 4 floats per pixel, end with.
+/// For the last row of texels, 4 floats per pixel: adds `margin` pixels from its other end before and after it.
 void wrapRow(std::vector<float>& texels, std::size_t width, std::size_t margin) {
     if (margin == 0) return;
     const std::size_t begin = texels.size() - 4 * width;

@@ -20,14 +20,15 @@ struct FilterTile {
     std::uint32_t width = 0, rows = 0; ///< above 2 * kDenoiseReach each, unless the picture is smaller
 };
 
-/// At most 2 million pixels, whose buffers are a quarter of what every Vulkan device can bind. Smaller pictures are one
-/// tile; in large ones a sixth of the work is repeated in borders. wraps: as in FilterPlan.
+/// A tile of at most 2 million pixels, whose buffers take a quarter of what every Vulkan device can bind. Smaller
+/// pictures are one tile; in large pictures a sixth of the work is repeated in borders. wraps: as in FilterPlan.
 FilterTile filterTileFor(PixelSize picture, bool wraps = false);
 
 struct FilterPlan {
     PixelSize picture;
     bool has_variance = false; ///< the film has the variance of the mean; else spatial variance is used
-    bool covers_all = false;   ///< also filter pixels the scene does not cover: shadows on the backdrop are noisy too
+    /// Also filter pixels that the scene does not cover: shadows on the backdrop are noisy too.
+    bool covers_all = false;
     FilterTile tile;
     bool wraps = false; ///< the left and right edges of the picture meet: it is a panorama
 };
@@ -69,10 +70,10 @@ private:
     Denoiser denoiser_;
     /// Input rows from first_row_ on that are still needed, each with a margin of pixels from the other edge.
     Texels colors_, surfaces_, albedos_;
-    Texels tile_; ///< staging to and from the device
+    Texels tile_; ///< staging buffer for transfers to and from the device
     Texels done_;
     std::uint32_t first_row_ = 0, rows_ = 0; ///< of the input rows
-    std::uint32_t done_rows_ = 0;            ///< rows of the picture passed to take_
+    std::uint32_t done_rows_ = 0;            ///< number of the picture's rows passed to take_
 };
 
 /// Whether film.variance is valid: every pixel has 2 samples or more (unless film.samples is empty).

@@ -13,12 +13,12 @@ namespace {
 /// tiles outside the views to their pixel size (kUnseenPixelScale); the third finds nothing left to refine.
 constexpr int kTileRounds = 3;
 
-/// Cameras that the pictures of a moving camera select their tiles by.
+/// Number of cameras for which a moving camera selects tiles.
 constexpr std::uint32_t kTurntableCameras = 64;
 
-/// Memory of a process beside tiles and the filter, measured with lavapipe: the driver and its programs up to 190 MB, a
-/// band of a film 65 MB, wavefront queues 50 MB. Counted whether or not a picture is filtered or uses queues, so that
-/// its tiles do not depend on that.
+/// Memory of a process in addition to tiles and the filter, measured with lavapipe: the driver and its programs up to
+/// 190 MB, a band of a film 65 MB, wavefront queues 50 MB. Counted whether or not a picture is filtered or uses queues,
+/// so that its tiles do not depend on that.
 constexpr std::uint64_t kProcessBytes = 305'000'000;
 
 /// The cameras to select tiles for.

@@ -7,7 +7,7 @@
 
 namespace pointrt {
 
-/// Bytes of `memory` left for tiles beside a picture of the settings' size.
+/// The bytes of `memory` that a picture of the settings' size leaves for tiles.
 std::uint64_t pictureTileMemory(const Device& device, const RenderSettings& settings, std::uint64_t memory);
 
 /// The tile request of the loaded camera, or of the turntable of request, at the settings' size.

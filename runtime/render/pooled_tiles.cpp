@@ -13,14 +13,15 @@ bool isPooled(const DeviceScene& scene, const Instance& instance) {
     return instance.tile && file.range.block && instancePages(scene, instance) == pagedBuffers(file);
 }
 
-/// Traits that all tiles of a group share. The others cost time but change no picture.
+/// Traits that all tiles of a group share, so that they use the same programs. Unnecessary traits cost time but do not
+/// change the picture.
 InstanceTraits sharedTraits(InstanceTraits traits) {
     traits.uneven = traits.has_balls = false;
     traits.pooled_tiles = 0;
     return traits;
 }
 
-/// The last group whose programs suit the tile; null if there is no such group or it is full.
+/// The last group whose programs suit the tile; null if there is none or it is full.
 PooledGroup* groupFor(const DeviceScene& scene, const Instance& tile, std::vector<PooledGroup>& groups) {
     const InstanceTraits traits = sharedTraits(traitsOf(scene, tile));
     const auto group = std::find_if(groups.rbegin(), groups.rend(), [&](const PooledGroup& each) {
@@ -43,7 +44,7 @@ std::vector<PooledGroup> makePooledGroups(const DeviceScene& scene) {
         group->traits.uneven |= traits.uneven;
         group->traits.has_balls |= traits.has_balls;
     }
-    // sets that stream tiles have one size of programs, whatever is there
+    // sets that stream tiles use one size of programs, whatever tiles are loaded
     for (PooledGroup& group : groups)
         group.traits.pooled_tiles = scene.tile_cache_bytes > 0 ? CULL_INSTANCES : cullProgramSize(group.places.size());
     return groups;

@@ -129,20 +129,20 @@ Constants constantsFor(const Device& device, const DeviceScene& scene, const Ren
 constexpr std::uint32_t kRefracts = 0u MATERIALS(POINTRT_REFRACTS);
 #undef POINTRT_REFRACTS
 
-/// As kMayDefer in shaders/shade/continue_path.glsl.
+/// Must agree with kMayDefer in shaders/shade/continue_path.glsl.
 bool mayDefer(const DeviceScene& scene, Integrator integrator) {
     return (scene.features & kRefracts) != 0 && !hasTrait(integrator, INTEGRATOR_IS_STOCHASTIC);
 }
 
-/// Megakernels that sample one light store shadow rays with their contributions.
+/// Whether programs store shadow rays with their contributions: megakernels that sample one light do.
 bool storesShadowRays(const Programs& all) { return all.form == KernelForm::kMegakernel && all.samples_one_light; }
 
-/// All others queue them, and so do shadow catchers.
+/// Whether programs queue shadow rays: all others do, and so do shadow catchers.
 bool queuesShadowRays(const Programs& all) {
     return all.catches_shadows || (all.has_direct_lighting && !storesShadowRays(all));
 }
 
-/// Programs for the tiles in a block.
+/// Orders the programs for the tiles in a block.
 void orderPooled(Constants constants, const Programs& all, InstancePrograms& programs, std::vector<Order>& orders) {
     constants.cull_boxes = constants.instance.pooled_tiles;
     const auto order = [&](Program& program, const char* name, std::span<const std::uint32_t> spirv) {
@@ -219,7 +219,7 @@ Order intersectShadowShapes(const Constants& constants, Programs& programs) {
     return {&programs.intersect_shadow_shapes, "intersect_shadow_shapes", intersect_shadow_shapes_spv, constants};
 }
 
-/// Programs with which Gaussians catch shadows.
+/// Orders the programs with which Gaussians catch shadows.
 void orderShadowCatcher(const Constants& constants, const Constants& of_camera, Programs& programs,
                         std::vector<Order>& orders) {
     orders.push_back(
@@ -231,7 +231,7 @@ void orderShadowCatcher(const Constants& constants, const Constants& of_camera, 
     orders.push_back({&programs.shade_shadow_catcher, "shade_shadow_catcher", shade_shadow_catcher_spv, constants});
 }
 
-/// Programs that composite Gaussians of several instances.
+/// Orders the programs that composite Gaussians of several instances.
 void orderBlending(const Constants& constants, const Constants& of_camera, Programs& programs,
                    std::vector<Order>& orders) {
     orders.push_back({&programs.blend_first_hits, "blend_first_hits", blend_first_hits_spv, of_camera});
@@ -240,7 +240,7 @@ void orderBlending(const Constants& constants, const Constants& of_camera, Progr
         orders.push_back({&programs.queued.blend_gaussians, "blend_gaussians", blend_gaussians_spv, constants});
 }
 
-/// Programs for the queries of LIST_DIRECT_LIGHT.
+/// Orders the programs for the queries of LIST_DIRECT_LIGHT.
 void orderDirectLight(const Constants& constants, Programs& programs, std::vector<Order>& orders) {
     orders.push_back({&programs.shade_shadow, "shade_shadow", shade_shadow_spv, constants});
     if (programs.form == KernelForm::kMegakernel && programs.inline_nee) return;
@@ -273,7 +273,7 @@ void orderCull(std::uint32_t boxes, Constants constants, const Programs& all, Cu
     if (queuesShadowRays(all)) orders.push_back({&programs.shadow, "cull_shadow", cull_shadow_spv, constants});
 }
 
-/// Culling programs for the numbers of instances that the scene has or may have.
+/// Orders culling programs for the numbers of instances that the scene has or may have.
 void orderCulling(const DeviceScene& scene, const Constants& constants, Programs& programs,
                   std::vector<Order>& orders) {
     const bool accumulates = mayCull(scene) || hasGaussians(scene);
@@ -287,7 +287,7 @@ void orderCulling(const DeviceScene& scene, const Constants& constants, Programs
     }
 }
 
-/// Orders programs for instances with traits that no instance has had before.
+/// Orders programs for instances with traits that no earlier instance has.
 void orderInstances(const DeviceScene& scene, const Constants& constants, Programs& programs,
                     std::vector<Order>& orders) {
     const auto add = [&](const InstanceTraits& traits) {
@@ -297,7 +297,7 @@ void orderInstances(const DeviceScene& scene, const Constants& constants, Progra
     const auto addWithLater = [&](InstanceTraits traits, bool is_tile) {
         add(traits);
         if (!is_tile || scene.tile_cache_bytes == 0) return;
-        // tiles loaded later may be uneven or not, and without balls
+        // tiles loaded later may be uneven or not, and may have no balls
         for (const bool has_balls : {traits.has_balls, false}) {
             traits.has_balls = has_balls;
             for (const bool uneven : {false, true}) {
@@ -336,14 +336,15 @@ std::vector<Order> orderAll(const DeviceScene& scene, const Constants& constants
     return orders;
 }
 
-/// Drivers build a program on the calling thread. The longest first, so that all cores finish about together.
+/// Drivers build a program on the calling thread. The slowest to build come first, so that all cores finish at about
+/// the same time.
 void buildAll(Device& device, std::vector<Order> orders) {
     std::sort(orders.begin(), orders.end(),
               [](const Order& a, const Order& b) { return a.spirv.size() > b.spirv.size(); });
     forAll(orders.size(), [&](std::size_t i) { build(device, orders[i]); });
 }
 
-/// Adds what all programs of instances bind beside the instance and the scene.
+/// Appends the bindings, besides instance and scene, that all programs of an instance share.
 void addFrame(std::vector<BufferBinding>& bindings, const FrameBuffers& buffers, const CausticMap& caustics,
               const Buffer& cull_boxes) {
     for (const BufferBinding& each : frameBindings(buffers)) bindings.push_back(each);

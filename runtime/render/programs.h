@@ -17,20 +17,22 @@ struct FrameBuffers;
 struct PooledGroup;
 
 struct InstancePrograms {
-    Program beam; ///< of pooled tiles; single instances share Programs::beam
+    Program beam; ///< for pooled tiles; single instances share Programs::beam
     Program intersect_camera, camera_surface;
     Program intersect_closest, surface; ///< for secondary rays
     Program intersect_shadow,
-        intersect_shadow_ray; ///< queued shadow rays, the megakernel's stored ones, or both
-    Program composite_camera, composite, gaussian_first_hits; ///< of Gaussians, which have these in place of the above
-    Program gather_camera, gather;                  ///< or these, where there are several instances of Gaussians
-    Program attenuate_shadow, attenuate_shadow_ray; ///< one of them, as above
+        intersect_shadow_ray; ///< for queued shadow rays, the megakernel's stored ones, or both
+    /// For Gaussians, which use these in place of the programs above.
+    Program composite_camera, composite, gaussian_first_hits;
+    Program gather_camera, gather; ///< the same if there are several instances of Gaussians
+    /// For Gaussians, in place of intersect_shadow or intersect_shadow_ray.
+    Program attenuate_shadow, attenuate_shadow_ray;
 };
 
 /// Programs with one variant for camera rays and one for queued rays (shaders/lib/features.glsl).
 struct PassPrograms {
     Program intersect_shapes, shade_surface;
-    Program megakernel;           ///< in place of shade_surface
+    Program megakernel;           ///< replaces shade_surface
     Program query_shadow_catcher; ///< if Gaussians catch shadows
     Program blend_gaussians;      ///< if there are several instances of Gaussians
 };
@@ -43,15 +45,16 @@ struct CullPrograms {
 /// All declare the same bindings in set 0 (shaders/lib/bindings.glsl), those for paged instances also in set 1.
 struct Programs {
     KernelForm form = KernelForm::kWavefront;
-    bool has_secondary_rays = true, has_direct_lighting = true; ///< if false, the programs for it are not built
-    bool samples_one_light = false;                             ///< at each hit, instead of every light
-    bool one_bounce = false;                                    ///< of a megakernel in each dispatch
-    bool defers_rays = false;                                   ///< of surfaces that reflect and refract
-    bool inline_nee = false;                                    ///< see FEATURE_INLINE_NEE
-    bool relights = false;                                      ///< Gaussians are lit: what catches shadows shades them
-    bool catches_shadows = false;                               ///< Gaussians do, of the objects among them
-    bool cuts_loops = true;        ///< the device does, as lavapipe, after 65,535 iterations
-    bool merges_gaussians = false; ///< of several instances
+    /// If false, the programs that only they need are not built.
+    bool has_secondary_rays = true, has_direct_lighting = true;
+    bool samples_one_light = false; ///< at each hit, instead of every light
+    bool one_bounce = false;        ///< a megakernel traces one bounce per dispatch
+    bool defers_rays = false;       ///< surfaces that reflect and refract defer rays
+    bool inline_nee = false;        ///< see FEATURE_INLINE_NEE
+    bool relights = false;          ///< Gaussians are lit: the programs that catch shadows shade them
+    bool catches_shadows = false;   ///< Gaussians receive shadows of the objects among them
+    bool cuts_loops = true;         ///< the device ends loops after 65,535 iterations, as lavapipe does
+    bool merges_gaussians = false;  ///< Gaussians of several instances are composited together
     Program prepare, first_hits, beam, intersect_shadow_shapes, shade_shadow, photon, caustic, fold_film;
     Program shade_shadow_catcher, blend_first_hits;
     PassPrograms camera, queued;
@@ -63,19 +66,19 @@ struct Programs {
 
 /// Builds the programs that the scene needs for the settings' integrator, in the requested form if possible.
 Programs createPrograms(Device& device, const DeviceScene& scene, const RenderSettings& settings, FormRequest form);
-/// Builds the programs that the scene's instances need in addition after they have changed.
+/// After the scene's instances have changed: builds the programs that they need in addition.
 void addPrograms(Device& device, const DeviceScene& scene, const RenderSettings& settings, Programs& programs);
 void destroyPrograms(Device& device, Programs& programs);
 
 const InstancePrograms& programsFor(const Programs& programs, const DeviceScene& scene, const Instance& instance);
 
-/// Descriptor sets of an instance, its pages if it has any, the frame's buffers, the caustics and cull boxes, for all
-/// programs and those of the instance. They take two sets of the pool.
+/// Descriptor sets with the buffers of an instance (and its pages if it has any), of the frame, of the caustics and
+/// cull boxes, for all programs and those of the instance. They take two sets of the pool.
 DescriptorSets bindInstance(Device& device, VkDescriptorPool pool, const Programs& programs, const DeviceScene& scene,
                             const Instance& instance, const FrameBuffers& buffers, const CausticMap& caustics,
                             const Buffer& cull_boxes);
 
-/// What the programs of pooled tiles bind beside the scene.
+/// The bindings of programs for pooled tiles besides those of the scene.
 struct PooledBuffers {
     const FrameBuffers& frame;
     const CausticMap& caustics;

@@ -103,14 +103,14 @@ bool ProgressiveRenderer::traceStrip(std::uint32_t bounces, const std::function<
     return true;
 }
 
-/// Whether the strip can be left to the device while the next is recorded.
+/// Whether the strip can be left to the device while the next one is recorded.
 bool ProgressiveRenderer::overlaps(std::uint32_t bounces) const {
     return may_overlap_ && strip_->sample.pass == 0 && canOverlap(tracer_) && endsIn(tracer_, plan_.settings, bounces);
 }
 
 void ProgressiveRenderer::submitStrip(std::uint32_t bounces, const std::function<void(VkCommandBuffer)>& then,
                                       Submission submission) {
-    // with what else was submitted before the last strip, such as its presentation
+    // waits for what was submitted before the last strip, such as a presentation
     if (in_flight_.size() == kFramesInFlight) waitFor(device_, in_flight_.back().passes.submission - 1);
     while (in_flight_.size() >= kFramesInFlight) finishOldest();
     in_flight_.push_back(
@@ -155,7 +155,7 @@ Film ProgressiveRenderer::takeFilm() {
     return std::exchange(film_, {});
 }
 
-/// Stores what was traced of the open band since the last call in the host's film, or hands it to take_rows.
+/// Stores the samples of the open band since the last call in the host's film, or passes the rows to take_rows.
 void ProgressiveRenderer::store() {
     if (!light_waits_) return;
     const Band& band = open_->band;

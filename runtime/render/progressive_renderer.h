@@ -18,7 +18,7 @@
 
 namespace pointrt {
 
-/// What is rendered, and how its samples are taken.
+/// What to render, and how to take its samples.
 struct RenderPlan {
     RenderSettings settings; ///< first_hits, light_parts: parts of the film; spp: 1 for rays through pixel centres
     Camera camera;
@@ -32,10 +32,10 @@ struct Strip {
     BandSample sample;
 };
 
-/// What a strip took that is complete.
+/// The work and time of a complete strip.
 struct StripTime {
     std::uint64_t pixels = 0;
-    double seconds = 0;      ///< of the device, if strips overlap; else by the host's clock
+    double seconds = 0;      ///< of the device if strips overlap; else by the host's clock
     bool is_preview = false; ///< of the plan
     bool has_first_hits = false;
 };
@@ -48,7 +48,7 @@ public:
     ProgressiveRenderer& operator=(const ProgressiveRenderer&) = delete;
 
     /// Starts a film, or resumes start, which must have the same scene, settings and camera. Drops the current film.
-    /// Extends the tracer's film if it lacks room for the job's samples.
+    /// Extends the tracer's film if it has no room for the job's samples.
     void begin(const RenderPlan& plan, const FrameJob& job, std::optional<Film> start = {});
 
     /// For frames of one band, between strips: works for some milliseconds on the photons that the next strip needs.
@@ -57,15 +57,16 @@ public:
     /// Starts a strip of at most `rows` rows once its photons are ready. Call only between strips. False if the job is
     /// done, interrupted or late.
     bool openStrip(std::uint32_t rows);
-    /// Traces the strip further in one submission: the camera rays, and `bounces` bounces. True once it is complete, or
-    /// will be before what is submitted next: where strips overlap, waits for all that was submitted before the last
-    /// strip, and not for this one.
+    /// Traces the strip further in one submission: the camera rays, and `bounces` bounces. True once it is complete or,
+    /// if strips overlap, will be complete before the next submission starts: then it waits for everything submitted
+    /// before the last strip, but not for this one.
     /// @param then records commands to run in the same submission
     /// @param submission kWithNext: the strip may go with the next submission, which must follow soon
     bool traceStrip(std::uint32_t bounces, const std::function<void(VkCommandBuffer)>& then = {},
                     Submission submission = Submission::kNow);
-    /// Completes the job, in strips of the plan's rows, or fewer if those take long (strip_pace.h) and the frame may be
-    /// aborted. The film is then on the host, or was handed to take_rows. If aborted, some rows have one more sample.
+    /// Completes the job, in strips with the plan's number of rows, or fewer if those take long (strip_pace.h) and the
+    /// frame may be aborted. The film is then on the host, or was passed to take_rows. If aborted, some rows have one
+    /// more sample.
     FrameState run();
 
     /// Changes the number of samples per pixel. The tracer's film must have room for them (extendFilm).
@@ -77,12 +78,12 @@ public:
     void finish();
     /// Whether the device may still be tracing strips that count as complete.
     bool isAhead() const { return !in_flight_.empty(); }
-    /// Times of the strips completed since the last call, without those that the device may still be tracing.
+    /// Times of the strips completed since the last call, except those that the device may still be tracing.
     std::vector<StripTime> takeTimes() { return std::exchange(times_, {}); }
-    const std::optional<Strip>& strip() const { return strip_; } ///< in progress
+    const std::optional<Strip>& strip() const { return strip_; } ///< the strip in progress
     /// Samples that every pixel has.
     std::uint32_t samples() const { return schedule_ ? schedule_->samples() : 0; }
-    /// Rows of the open band that have the next sample too, without those of the current strip.
+    /// Number of rows of the open band that have the next sample too, except those of the current strip.
     std::uint32_t rowsDone() const { return rows_done_; }
     /// Whether the film has first hits.
     bool hasFirstHits() const { return plan_.settings.first_hits; }
@@ -118,14 +119,14 @@ private:
     bool light_waits_ = false;        ///< its light is not on the host yet
     bool hits_wait_ = false;          ///< its first hits are not on the host yet
     std::uint32_t rows_done_ = 0;
-    bool may_overlap_ = false; ///< the job has no time limit, which a strip more would overrun
+    bool may_overlap_ = false; ///< the job has no time limit, which one more strip would overrun
     std::optional<Strip> strip_;
-    double strip_seconds_ = 0;            ///< of its submissions so far
+    double strip_seconds_ = 0;            ///< time of its submissions so far
     std::deque<StripInFlight> in_flight_; ///< oldest first, at most kFramesInFlight
     std::vector<StripTime> times_;
     RayCounts rays_;
     Film film_;                     ///< on the host; width 0 until something is stored
-    std::uint32_t film_origin_ = 0; ///< row of the picture where it starts
+    std::uint32_t film_origin_ = 0; ///< row of the picture where the film starts
 };
 
 } // namespace pointrt

@@ -8,12 +8,12 @@
 namespace pointrt {
 namespace {
 
-/// Most rounds that composite Gaussians. With several instances a round composites WAITING_GAUSSIANS for each ray, and
-/// hardly any ray lets light pass behind the 640 of so many rounds. With a single instance a round ends where lavapipe
-/// cuts its loops, after 65,535 iterations: some hundreds of Gaussians.
+/// Largest number of rounds that composite Gaussians. With several instances, a round composites WAITING_GAUSSIANS for
+/// each ray; all rounds together 640, behind which hardly any ray has light left. With a single instance, a round ends
+/// where lavapipe ends its loops, after 65,535 iterations, which is some hundreds of Gaussians.
 constexpr std::uint32_t kMostRounds = 64;
 
-/// Rays that a round leaves are listed in the one of these that it does not read.
+/// The two lists in turn: a round reads one, and lists the rays that it leaves unfinished in the other.
 constexpr std::uint32_t kRoundLists[] = {LIST_SHADOW_RAYS, LIST_DIRECT_LIGHT};
 
 /// Squared distance from a point of render space to the middle of an instance's cube.
@@ -25,8 +25,8 @@ double squaredDistanceTo(const gpu::InstanceParams& params, const gpu::vec3& poi
     return (x * x + y * y + z * z) / (double{params.splat.w} * params.splat.w);
 }
 
-/// The instances of Gaussians, those near the eye first: they soon fill the places of what waits, and the walks of
-/// those behind them end early.
+/// The instances of Gaussians, those near the eye first: they soon fill the waiting slots, so that the walks of those
+/// behind end early.
 std::vector<const TracedInstance*> gaussiansFrom(const gpu::vec3& eye, const BandTracer& tracer) {
     const auto distanceTo = [&](const TracedInstance* each) {
         return squaredDistanceTo(tracer.scene->instances[each->places.front()].params, eye);
@@ -83,7 +83,7 @@ void SampleRecorder::pass(std::uint32_t index) {
         intersectClosest(queue);
         compositeQueued(queue);
         catchShadows(programs.query_shadow_catcher, queue);
-        // deferred rays have scattered less often than there were passes
+        // deferred rays have scattered fewer times than the number of passes
         const bool may_add_direct = index <= 1 || tracer_.programs.defers_rays || !tracer_.programs.one_bounce;
         return megakernel(programs.megakernel, queue | (may_add_direct ? STEP_DIRECT : 0u));
     }
@@ -115,8 +115,8 @@ void SampleRecorder::intersectCamera(std::uint32_t bits) {
     }
 }
 
-/// Closest hits on all instances of the rays listed for them, and their surface interactions, which a nearer hit on a
-/// later instance overwrites.
+/// Closest hits of the listed rays on all instances, and their surface interactions, which nearer hits on later
+/// instances overwrite.
 void SampleRecorder::intersectClosest(std::uint32_t bits) {
     const std::uint32_t counting = tracer_.hit_counts ? STEP_COUNT_HITS : 0u;
     bool is_first = true;
@@ -145,8 +145,9 @@ void SampleRecorder::compositeQueued(std::uint32_t bits) {
     compositeGaussians({&InstancePrograms::composite, &InstancePrograms::gather, blend}, bits);
 }
 
-/// The light of Gaussians in front of the closest hits of the current rays. Those of a single instance are composited
-/// along its walk, in further rounds for rays that lavapipe has cut; those of several in rounds.
+/// The light of Gaussians in front of the closest hits of the current rays. Gaussians of a single instance are
+/// composited during its walk, with further rounds for rays whose loops lavapipe ended; those of several instances are
+/// composited in rounds.
 void SampleRecorder::compositeGaussians(const GaussianPass& pass, std::uint32_t bits) {
     if (!has_gaussians_) return;
     const std::uint32_t rounds = roundsOf(pass);
@@ -160,13 +161,13 @@ void SampleRecorder::compositeGaussians(const GaussianPass& pass, std::uint32_t 
     }
 }
 
-/// First hits of a single instance have one: rays end where half of the light is hidden.
+/// First hits on a single instance take one round: rays end where half of the light is hidden.
 std::uint32_t SampleRecorder::roundsOf(const GaussianPass& pass) const {
     if (tracer_.programs.merges_gaussians) return kMostRounds;
     return tracer_.programs.cuts_loops && !(pass.bits & STEP_FIRST_HITS) ? kMostRounds : 1;
 }
 
-/// Runs a program in a round: over the current rays, and then those that the round before has listed.
+/// Runs a program in a round: in the first over the current rays, then over those that the round before listed.
 void SampleRecorder::runRound(const Program& program, const DescriptorSets& sets, std::uint32_t round,
                               std::uint32_t bits) {
     const std::uint32_t list = kRoundLists[round % 2];
@@ -174,13 +175,13 @@ void SampleRecorder::runRound(const Program& program, const DescriptorSets& sets
     commands_.run({program, sets, pushBytes(params), round > 0 ? PassLanes::kList : rays_, 0, list});
 }
 
-/// A round of the only instance of Gaussians.
+/// One round for the only instance of Gaussians.
 void SampleRecorder::compositeRound(const GaussianPass& pass, std::uint32_t round, std::uint32_t bits) {
     for (const TracedInstance* instance : gaussians_)
         runRound(instance->programs->*pass.composite, instance->sets, round, bits | STEP_FIRST | STEP_LAST);
 }
 
-/// A round of all instances.
+/// One round for all instances of Gaussians.
 void SampleRecorder::gatherRound(const GaussianPass& pass, std::uint32_t round, std::uint32_t bits) {
     bool is_first = true;
     for (const TracedInstance* instance : gaussians_)
@@ -189,8 +190,8 @@ void SampleRecorder::gatherRound(const GaussianPass& pass, std::uint32_t round, 
     runRound(pass.blend, tracer_.instances.sets, round, bits);
 }
 
-/// Shadows of surfaces on what Gaussians have captured. The shadows among Gaussians are part of that, unless they are
-/// lit: then this shades them.
+/// Shadows of surfaces on Gaussian captures. The shadows that Gaussians cast on each other are part of the capture,
+/// unless they are lit: then this pass shades them.
 void SampleRecorder::catchShadows(const Program& query, std::uint32_t bits) {
     const DeviceScene& scene = *tracer_.scene;
     const auto lights = static_cast<std::uint32_t>(scene.light_rows.size());
@@ -207,7 +208,7 @@ void SampleRecorder::catchShadows(const Program& query, std::uint32_t bits) {
     runOver(LIST_DIRECT_LIGHT, tracer_.programs.shade_shadow_catcher, tracer_.instances.sets, bits);
 }
 
-/// What Gaussians let pass of the shadow rays of a closed list.
+/// The transmittance of Gaussians along the shadow rays of a closed list.
 void SampleRecorder::attenuateShadows(std::uint32_t list, Program InstancePrograms::*program, std::uint32_t bits) {
     if (!has_gaussians_) return;
     for (const TracedInstance* instance : gaussians_) runOver(list, instance->programs->*program, instance->sets, bits);
@@ -219,7 +220,7 @@ void SampleRecorder::shadeSurface(const Program& program, std::uint32_t bits) {
     if (tracer_.programs.has_direct_lighting) directLight(bits);
 }
 
-/// Paths up to where they need instances, and the occlusion of their shadow rays by instances.
+/// Follows paths up to where they need instances, and tests the occlusion of their shadow rays by instances.
 void SampleRecorder::megakernel(const Program& program, std::uint32_t bits) {
     const Programs& programs = tracer_.programs;
     run(program, tracer_.instances.sets, bits, rays_);
@@ -236,7 +237,7 @@ void SampleRecorder::directLight(std::uint32_t bits) {
     const Programs& programs = tracer_.programs;
     const auto lights = static_cast<std::uint32_t>(tracer_.scene->light_rows.size());
     if (lights == 0) return;
-    // path has one light sample, and none in further iterations
+    // with stored shadow rays, a path has one light sample, and none in further iterations
     for (std::uint32_t first = 0; first < lights; first += SHADOW_RAYS_PER_PATH)
         shadows(first, bits, Attenuation::kByGaussians);
     runOver(LIST_DIRECT_LIGHT, programs.shade_shadow, tracer_.instances.sets, bits);
@@ -263,10 +264,10 @@ void SampleRecorder::intersectShadow(std::uint32_t bits, Attenuation attenuation
                  });
 }
 
-/// Occlusion by instances of the megakernel's stored shadow rays; accumulates the unoccluded ones.
+/// The same for the megakernel's stored shadow rays; accumulates the unoccluded ones.
 void SampleRecorder::intersectShadowRay(std::uint32_t bits) {
     const TracedInstances& instances = tracer_.instances;
-    // the last instance of a ray is unknown after culling, and may be of Gaussians
+    // after culling, the last instance of a ray is unknown, and may hold Gaussians
     const bool separately = !instances.cull_groups.empty() || has_gaussians_;
     attenuateShadows(LIST_DIRECT_LIGHT, &InstancePrograms::attenuate_shadow_ray, bits);
     intersectAll(LIST_DIRECT_LIGHT, &CullPrograms::shadow_ray, bits,
@@ -281,7 +282,7 @@ void SampleRecorder::prepare(std::uint32_t bits) {
     run(tracer_.programs.prepare, tracer_.instances.sets, bits, PassLanes::kOne, 1);
 }
 
-/// Makes the entries appended to a list its contents.
+/// Makes the entries appended to a list the list's contents.
 void SampleRecorder::closeList(std::uint32_t list, std::uint32_t bits) {
     const gpu::PushParams params = pushed(bits | STEP_LIST, list);
     commands_.run({tracer_.programs.prepare, tracer_.instances.sets, pushBytes(params), PassLanes::kOne, 1});

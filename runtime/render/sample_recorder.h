@@ -19,19 +19,18 @@ public:
     void firstHits();
     /// The camera pass: camera rays, their shading and direct light.
     void begin();
-    /// Pass index, 1 or more: the rays that the previous pass has queued.
+    /// Pass index, from 1 on: traces the rays that the previous pass queued.
     void pass(std::uint32_t index);
 
 private:
     void intersectCamera(std::uint32_t bits);
     void intersectClosest(std::uint32_t bits);
-    /// The programs of a composite of Gaussians: of each instance if there is one, of all instances if there are
-    /// several.
+    /// The programs that composite Gaussians: those of a single instance, or those for several instances together.
     struct GaussianPass {
         Program InstancePrograms::*composite;
         Program InstancePrograms::*gather;
         const Program& blend;
-        std::uint32_t bits = 0; ///< of gather
+        std::uint32_t bits = 0; ///< bits for the program gather
     };
     void gaussianFirstHits(std::uint32_t bits);
     void compositeCamera(std::uint32_t bits);
@@ -63,8 +62,8 @@ private:
     const BandTracer& tracer_;
     std::uint32_t tiles_, sample_, center_, preview_, pixel_list_;
     bool has_gaussians_;
-    std::vector<const TracedInstance*> gaussians_; ///< instances of them, those near the eye first
-    bool stores_first_hits_;                       ///< of the camera rays that are shaded
+    std::vector<const TracedInstance*> gaussians_; ///< instances of Gaussians, those near the eye first
+    bool stores_first_hits_;                       ///< whether the camera rays that are shaded store them
     std::uint32_t first_light_sample_ = 0;         ///< of the shadow pass
     PassLanes rays_ = PassLanes::kPixels;          ///< the rays of the current pass
 };

@@ -6,17 +6,17 @@
 namespace pointrt {
 namespace {
 
-/// Four times the time of the largest strips of usual scans on two cores: those are never split.
+/// Four times the time of the largest strips of usual scans on two cores, so those are never split.
 constexpr double kCpuStripSeconds = 1;
-/// A GPU draws the desktop too, and does not between the dispatches of a submission: 25 frames per second are left.
+/// A GPU also draws the desktop, but not between the dispatches of a submission: this leaves it 25 frames per second.
 constexpr double kGpuStripSeconds = 0.04;
-/// Seconds per pixel that shows the scan and per splat that a cell lists: twice the time of two cores at 7000 splats
-/// per cell. From 76 splats per cell on, the first strip is smaller than the largest (frame_tiling.cpp).
+/// Seconds for each pixel that shows the scan, per splat that a cell lists: twice the time on two cores with 7000
+/// splats per cell. With 76 splats per cell or more, the first strip is smaller than the largest (frame_tiling.cpp).
 constexpr double kCpuSecondsPerListed = 50e-9;
-/// The same for the slowest GPUs: by the instructions of the walk, 24 execution units of Intel take 0.3 ns for each
-/// bounce, and few paths have ten.
+/// The same for the slowest GPUs: counting the instructions of the walk, 24 execution units of an Intel GPU take 0.3 ns
+/// per bounce, and few paths have ten bounces.
 constexpr double kGpuSecondsPerListed = 3e-9;
-/// Weight of a new measurement that is faster; slower ones count fully.
+/// Weight of a new measurement if it is faster; a slower one replaces the old value.
 constexpr double kShareOfFaster = 0.3;
 
 double splatsPerCell(const pro_index& index) {

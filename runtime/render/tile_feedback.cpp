@@ -7,8 +7,8 @@
 namespace pointrt {
 namespace {
 
-/// Approximate pixels of the low-resolution pictures, which take little time, and the inverse of the share of rays that
-/// must hit a tile for it to count.
+/// The approximate number of pixels of the low-resolution pictures, which take little time; and the inverse of the
+/// share of rays that must hit a tile for it to count.
 constexpr double kPixels = 1 << 15;
 constexpr std::uint64_t kHitShare = 100;
 

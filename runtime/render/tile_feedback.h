@@ -9,8 +9,8 @@
 namespace pointrt {
 
 /// Traces low-resolution pictures of the tracer's scene and marks the tiles that are hit by at least 1% as many
-/// secondary rays as the pictures have pixels. True if a newly marked tile has finer ones below it. The tracer must
-/// have room for pictures of the settings; its film is lost.
+/// secondary rays as the pictures have pixels. True if a newly marked tile has children. The tracer must have room for
+/// pictures of the settings' size; its film is lost.
 bool markTilesHit(Device& device, BandTracer& tracer, DeviceScene& scene, const RenderSettings& settings,
                   const std::vector<Camera>& cameras);
 

@@ -12,7 +12,7 @@
 namespace pointrt {
 namespace {
 
-/// A pass over the list; with step bits, prepare's single lane.
+/// A pass over the list; with step bits, a pass of prepare with a single lane.
 void runOver(PassCommands& commands, const Program& program, const DescriptorSets& sets, const InstanceRayList& rays,
              std::uint32_t bits = 0) {
     gpu::PushParams push = rays.push;

@@ -17,12 +17,12 @@ namespace pointrt {
 struct TracedInstance {
     const InstancePrograms* programs = nullptr;
     DescriptorSets sets;
-    std::vector<std::size_t> places; ///< of the instances among the scene's
+    std::vector<std::size_t> places; ///< indices of the instances among the scene's
     std::uint32_t beams = 1;         ///< per tile of pixels
     bool is_gaussian = false;
 };
 
-/// Consecutive instances that rays are culled for together.
+/// Consecutive instances for which rays are culled together.
 struct CullGroup {
     std::size_t first = 0, count = 0; ///< in TracedInstances::each
     const CullPrograms* programs = nullptr;
@@ -33,8 +33,8 @@ struct CullGroup {
 struct TracedInstances {
     VkDescriptorPool pool = VK_NULL_HANDLE;
     std::vector<TracedInstance> each;   ///< single instances in the order of the scene's, then tiles in blocks
-    std::vector<CullGroup> cull_groups; ///< of all single ones, or empty: each is intersected with all rays
-    std::vector<Buffer> tables;         ///< of the tiles in blocks: gpu::CullBoxes and gpu::PooledTile rows
+    std::vector<CullGroup> cull_groups; ///< groups of all single instances; empty if each is intersected with all rays
+    std::vector<Buffer> tables;         ///< for tiles in blocks: gpu::CullBoxes and gpu::PooledTile rows
     DescriptorSets sets;                ///< for programs that read no instance
 };
 
@@ -46,15 +46,15 @@ void destroyTracedInstances(Device& device, TracedInstances& instances);
 
 /// A list of rays to intersect with all instances.
 struct InstanceRayList {
-    std::uint32_t list = 0;                ///< LIST_*
+    std::uint32_t list = 0;                ///< LIST_*: the list
     Program CullPrograms::*cull = nullptr; ///< the program that culls it
-    gpu::PushParams push{};                ///< of its passes
+    gpu::PushParams push{};                ///< push constants of its passes
 };
-/// Records the passes that intersect an instance with a list: the given one, or what culling left of it.
+/// Records the passes that intersect an instance with a list: the given list, or what culling left of it.
 using IntersectInstance = std::function<void(const TracedInstance& instance, std::uint32_t list)>;
 
-/// Records the intersection of a list with all instances but Gaussians, and for each cull group the culling before
-/// that. The list must be complete: prepare has closed it.
+/// Records the intersection of a list with all instances except Gaussians, preceded for each cull group by the culling.
+/// The list must be complete (closed by prepare).
 void intersectInstances(PassCommands& commands, const Programs& programs, const TracedInstances& instances,
                         const InstanceRayList& rays, const IntersectInstance& intersect);
 

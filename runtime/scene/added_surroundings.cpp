@@ -43,7 +43,7 @@ bool usesMaterial(const SceneDescription& scene, std::uint32_t material) {
 void moveSurroundingMaterialsLast(SceneDescription& scene) {
     const std::set<std::uint32_t> last = surroundingMaterials(scene);
     if (last.empty()) return;
-    std::vector<std::uint32_t> order; // of the former numbers
+    std::vector<std::uint32_t> order; // former numbers of the materials in their new order
     for (std::uint32_t m = 0; m < scene.materials.size(); ++m)
         if (!last.contains(m)) order.push_back(m);
     order.insert(order.end(), last.begin(), last.end());

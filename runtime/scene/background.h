@@ -15,7 +15,8 @@ namespace pointrt {
 /// A colour in every direction, in place of the sky.
 struct Background {
     std::array<std::uint8_t, 3> color{}; ///< sRGB; default black
-    bool transparent = false;            ///< color is black, and PNGs store the scene's coverage as alpha
+    /// The picture has no background: color is black, and PNGs store the scene's coverage as alpha.
+    bool transparent = false;
     bool operator==(const Background&) const = default;
 };
 
@@ -24,7 +25,7 @@ std::optional<Background> backgroundNamed(std::string_view word);
 /// The word that backgroundNamed reads.
 std::string backgroundName(const Background& background);
 
-/// Its radiance: the exact inverse of the sRGB transfer function, so that PNGs show its colour to the bit.
+/// Its radiance: the exact inverse of the sRGB transfer function, so that PNGs show exactly its colour.
 Color backgroundRadiance(const Background& background);
 
 } // namespace pointrt

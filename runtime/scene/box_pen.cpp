@@ -53,7 +53,8 @@ OverlayBox darkBox(std::size_t width, std::size_t height, std::size_t scale) {
 std::string writable(std::string_view text) {
     std::string letters;
     for (const char c : text) {
-        const bool is_continuation = (static_cast<unsigned char>(c) & 0xC0) == 0x80; // byte of a UTF-8 character
+        // continuation byte of a UTF-8 character
+        const bool is_continuation = (static_cast<unsigned char>(c) & 0xC0) == 0x80;
         if (!is_continuation) letters += c >= kFirstGlyph && c <= kLastGlyph ? c : '?';
     }
     if (letters.size() > kMostLetters) letters.replace(kMostLetters - 3, std::string::npos, "...");

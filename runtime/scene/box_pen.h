@@ -22,10 +22,11 @@ struct BoxPen {
     void write(std::size_t left, std::size_t top, std::string_view text) const;
 };
 
-/// A box of this size in units, evenly dark and translucent.
+/// A dark, translucent box of this size in units.
 OverlayBox darkBox(std::size_t width, std::size_t height, std::size_t scale);
 
-/// text in characters of the font: other UTF-8 characters become ?, and text of more than 32 ends in dots.
+/// text with the font's characters only: other UTF-8 characters become ?, and text of more than 32 characters ends in
+/// dots.
 std::string writable(std::string_view text);
 /// Width of text as writable() leaves it, in units.
 std::size_t widthOf(std::string_view text);

@@ -24,7 +24,7 @@ double framingDistance(double radius, double fov_deg, double aspect) {
 
 /// The device stores ray distances as float: at this distance they still resolve a thousandth of the scene's radius.
 constexpr double kFarthestRadii = 1e4;
-/// Below this, neighbouring rays are equal in float.
+/// Below this, neighbouring rays are equal as floats.
 constexpr double kMinFov_deg = 1e-3;
 
 /// Ray origins are float too: at this window height, in scene radii, a hundred rows still have distinct origins.
@@ -61,7 +61,7 @@ void requireNear(const char* option, const std::optional<Vec3>& point, Vec3 low,
 /// The radius of the sphere around the bounds.
 double boundingRadius(Vec3 low, Vec3 high) {
     const double half_diagonal = length(high - low) / 2;
-    // a scene of one splat has no extent; any distance shows it
+    // a scene of one splat has no extent, so any distance shows it
     return half_diagonal > 0 ? half_diagonal : 1;
 }
 
@@ -90,7 +90,7 @@ double framingHeight(Vec3 bounds_min, Vec3 bounds_max, double aspect) {
 
 Vec3 frontSide(Vec3 up) {
     const Vec3 axis = normalize(withinRange(up));
-    const double towards = axis.y < -0.5 ? -1 : 1; // where y points down, as for cameras, these look along z
+    const double towards = axis.y < -0.5 ? -1 : 1; // if y points down, as in camera coordinates, cameras look along z
     const Vec3 front = std::abs(axis.z) > 0.5 ? Vec3{0, -1, 0} : Vec3{0, 0, towards};
     return normalize(front - dot(front, axis) * axis);
 }

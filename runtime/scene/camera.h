@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Completes cameras of which the user gives little or nothing.
+// Completes cameras of which the user specifies only some properties, or none.
 #pragma once
 
 #include "runtime/scene/render_settings.h"
@@ -25,7 +25,7 @@ double framingHeight(Vec3 bounds_min, Vec3 bounds_max, double aspect);
 /// length, perpendicular to up, which may have any length but zero.
 Vec3 frontSide(Vec3 up);
 
-/// Half of the field of view, in radians.
+/// Half of the vertical field of view, in radians.
 double verticalHalfAngle(double fov_deg);
 double horizontalHalfAngle(double fov_deg, double aspect);
 

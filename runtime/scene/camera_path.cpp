@@ -7,11 +7,11 @@
 namespace pointrt {
 namespace {
 
-/// Four keys around a part of the path, from the second to the third; keys beyond the ends are mirrored ones.
+/// A part of the path, between the second and the third of four keys; keys beyond the ends are mirrored.
 struct SplinePart {
     std::span<const Camera> keys;
     std::size_t first;
-    double share; ///< 0 to 1
+    double share; ///< position in the part, 0 to 1
 
     Vec3 at(Vec3 Camera::*member) const {
         const Vec3 b = keys[first].*member, c = keys[first + 1].*member;
@@ -25,7 +25,7 @@ struct SplinePart {
 
 double heightBetween(const Camera& from, const Camera& to, double share) {
     if (!(from.ortho_height > 0 && to.ortho_height > 0)) return (share < 0.5 ? from : to).ortho_height;
-    return from.ortho_height * std::pow(to.ortho_height / from.ortho_height, share); // zooms evenly
+    return from.ortho_height * std::pow(to.ortho_height / from.ortho_height, share); // interpolates the zoom evenly
 }
 
 } // namespace
@@ -42,7 +42,7 @@ Camera cameraOnPath(std::span<const Camera> keys, double at) {
     Camera camera = from;
     camera.eye = part.at(&Camera::eye);
     const Vec3 forward = part.at(&Camera::forward), right = cross(forward, part.at(&Camera::up));
-    if (!(length(forward) > 0) || !(length(right) > 0)) return share < 0.5 ? from : to; // opposite views
+    if (!(length(forward) > 0) || !(length(right) > 0)) return share < 0.5 ? from : to; // the two views are opposite
     camera.forward = normalize(forward);
     camera.right = normalize(right);
     camera.up = cross(camera.right, camera.forward);

@@ -10,7 +10,7 @@ namespace pointrt {
 
 /// The camera at a place of the path: keys[i] exactly at i, and between two keys on a Catmull-Rom spline of eye and
 /// directions, so that it neither stops nor turns sharply at a key. Fields of view and heights of parallel projection
-/// change steadily; between the two kinds of projection the nearer key's counts.
+/// change steadily; between keys of different projections, the nearer key's projection is used.
 /// @param keys at least one, with orthonormal axes
 /// @param at from 0 to keys.size() - 1
 Camera cameraOnPath(std::span<const Camera> keys, double at);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The largest distance of a camera from a scene.
+// The largest distance of a camera from the scene.
 #pragma once
 
 #include "runtime/util/vec.h"

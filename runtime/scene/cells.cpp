@@ -50,7 +50,7 @@ bool areFilled(const SampleCells& cells) {
 SampleCells cellsOf(const SceneSample& sample) {
     const SampleBox box = denseBox(sample);
     double edge = kCellShare * length(box.high - box.low);
-    if (!(edge > 0)) edge = 1; // most splats coincide
+    if (!(edge > 0)) edge = 1; // most splats are at the same place
     SampleCells cells = sortedInto(sample, box.low, edge);
     while (!areFilled(cells)) cells = sortedInto(sample, box.low, edge *= kGrowth);
     return cells;

@@ -52,7 +52,7 @@ void requireFewHalfSpaces(std::span<const ClipDescription> clips) {
 }
 
 HalfSpace nothingKept() {
-    constexpr double beyond = 1e13; // ten times the largest coordinate of scene files
+    constexpr double beyond = 1e13; // ten times the largest coordinate that scene files allow
     return {{beyond, 0, 0}, {1, 0, 0}};
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Clips cut scans: what they keep is the part of each scan that lies inside all clips, an intersection of half-spaces.
-// Rays pass what is cut away as if it were not there. Nothing else is cut: shapes, lights, rooms and floors stay.
+// Rays pass through what is cut away. Nothing else is cut: shapes, lights, rooms and floors stay.
 #pragma once
 
 #include <array>
@@ -14,7 +14,7 @@
 
 namespace pointrt {
 
-/// Keeps what is inside. The box of low and high, world units, turned about its centre.
+/// Keeps what is inside a box: from low to high in world units, rotated about its centre.
 struct ClipBox {
     Vec3 low, high;                                                            ///< low is below high on each axis
     std::array<Vec3, 3> rotation{Vec3{1, 0, 0}, Vec3{0, 1, 0}, Vec3{0, 0, 1}}; ///< orthonormal rows, world from box
@@ -29,7 +29,7 @@ struct ClipPlane {
 
 struct ClipDescription {
     std::variant<ClipBox, ClipPlane> form;
-    bool enabled = true; ///< false: cuts nothing
+    bool enabled = true; ///< false: the clip cuts nothing
     Layer layer{};
     bool operator==(const ClipDescription&) const = default;
 };
@@ -44,14 +44,14 @@ ClipDescription clipBox(const std::array<double, 6>& ends);
 
 /// The half-spaces whose intersection the enabled clips keep: six for a box, one for a plane.
 std::vector<HalfSpace> keptHalfSpaces(std::span<const ClipDescription> clips);
-/// How many half-spaces the clips have if all of them are enabled. A scene has at most MAX_CLIP_PLANES
+/// The number of half-spaces of all clips, enabled or not. A scene has at most MAX_CLIP_PLANES
 /// (shaders/shared/scene_layout.h).
 std::size_t countHalfSpaces(std::span<const ClipDescription> clips);
 
 /// Throws Error kBadUsage if that is more than a scene may have.
 void requireFewHalfSpaces(std::span<const ClipDescription> clips);
 
-/// A half-space that keeps no point of a scene.
+/// A half-space that contains no point of a scene.
 HalfSpace nothingKept();
 
 /// Whether a point is inside all half-spaces.

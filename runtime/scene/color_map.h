@@ -24,19 +24,19 @@ inline constexpr std::array kColorMapNames = {Name{"viridis", ColorMap::kViridis
 /// The colour of splats without a value: NaN, infinite, or not in their scan.
 inline constexpr Srgb8 kMissingColor{128, 128, 128};
 
-/// True if the map has a colour per integer and none between.
+/// True if the map has a colour per integer and none in between.
 constexpr bool isCategorical(ColorMap map) { return map == ColorMap::kClasses || map == ColorMap::kScans; }
 
-/// True if its middle stands for 0: lower and higher values differ in hue.
+/// True for diverging maps: the middle stands for 0, and lower and higher values differ in hue.
 constexpr bool isDiverging(ColorMap map) { return map == ColorMap::kCoolwarm; }
 
 /// A colour map over a range of values.
 class ColorScale {
 public:
-    /// range: ignored by categorical maps.
+    /// range: categorical maps ignore it.
     ColorScale(ColorMap map, ValueRange range);
 
-    /// Values beyond the range get the colour of its end. Categorical maps round the value and take negative ones for
+    /// Values beyond the range get the colour of its end. Categorical maps round the value and treat negative ones as
     /// missing; kClasses ends at 255, kScans repeats its colours.
     Srgb8 operator()(double value) const;
 

@@ -12,7 +12,7 @@ namespace {
 using std::numbers::pi;
 
 /// Room sizes in multiples of the scene's bounding radius. Mirrors are close, so that reflections are large; matte
-/// walls are farther away, where the lights leave no bright spots.
+/// walls are farther away, so that the lights leave no bright spots on them.
 struct RoomSize {
     double half_width, height;
 };
@@ -28,15 +28,15 @@ constexpr double kRingRadius = 1.5;
 constexpr double kRingHeight = 1.9;
 /// Smallest distance between the eye and the wall behind it, in bounding radii.
 constexpr double kEyeMargin = 0.05;
-/// The first light is this far to the left of the eye, like a key light.
+/// The angle of the first light: left of the eye, like a key light.
 constexpr double kKeyLightAngle = -40.0 * pi / 180.0;
 /// Radiance of a white surface at the scene's centre that faces all lights together.
 constexpr double kLightSum = 1.5;
 
 struct Staging {
     Vec3 center, eye, up;
-    Vec3 towards_eye, right; ///< horizontal, unit length
-    double radius = 0;       ///< of the sphere around the bounds
+    Vec3 towards_eye, right; ///< horizontal unit vectors
+    double radius = 0;       ///< radius of the sphere around the bounds
     double floor = 0;        ///< lowest point along up, measured from center
 };
 
@@ -53,7 +53,7 @@ Staging stageBounds(Vec3 up, Vec3 eye, Vec3 low, Vec3 high) {
     staging.eye = eye;
     staging.up = up;
     staging.radius = 0.5 * length(high - low);
-    if (!(staging.radius > 0)) staging.radius = 1; // a single splat, as in frameCamera
+    if (!(staging.radius > 0)) staging.radius = 1; // a single splat has radius 0, see frameCamera
     staging.floor = -0.5 * dot(high - low, absolute(up));
     const Vec3 side = std::abs(up.y) > 0.5 ? Vec3{0, 0, 1} : Vec3{0, 1, 0};
     Vec3 towards_eye = staging.eye - staging.center;
@@ -114,30 +114,30 @@ struct StudioLamp {
 // the other side, at a quarter of the key, the rim behind.
 constexpr StudioLamp kStudioLamps[] = {
     {-42, 48, 5, {0.98f, 0.94f, 0.88f}}, {52, 22, 14, {0.22f, 0.24f, 0.27f}}, {160, 35, 8, {0.40f, 0.42f, 0.46f}}};
-/// How strong the lamps are, and how bright the floor.
+/// The strength of the lamps, and the brightness of the floor.
 struct StudioLight {
     float lamps; ///< factor of kStudioLamps
     float floor; ///< reflectance
 };
 constexpr StudioLight kDirectStudio{1, 0.42f};
-/// Where light bounces, sky and floor fill the shadows: with lamps of a seventh less, a white subject is as bright as
-/// without, and on a floor half as bright it keeps its contrast.
+/// If light bounces, sky and floor fill the shadows. With lamps that are a seventh weaker, a white subject is as bright
+/// as without bounces; on a floor half as bright, it keeps its contrast.
 constexpr StudioLight kPathStudio{0.86f, 0.21f};
 /// How far the floor is below the lowest point, in bounding radii: more than float precision, so that discs flat on the
 /// floor stay above it, and so little that shadows still touch their objects.
 constexpr double kStudioGap = 1e-3;
-/// Radiance of the zenith as a share of the horizon's, which equals the floor's: dark, so that the sky adds little
-/// light.
+/// Radiance of the zenith relative to that of the horizon, which equals the floor's. The zenith is dark, so that the
+/// sky adds little light.
 constexpr float kStudioZenith = 0.35f;
-/// The same for the nadir under open ground, whose light reaches crowns and eaves from below.
+/// The same for the nadir under open ground; its light reaches crowns and eaves from below.
 constexpr float kBelowGround = 0.4f;
 
 /// The lamps are dimmed for subjects of a higher reflectance than kBright, and amplified for those of a lower one than
 /// kDark, by at most kMostGain.
 constexpr double kBright = 0.75, kDark = 0.25, kMostGain = 2.5;
 
-/// A mean reflectance that renders as a middle grey: of objects under the studio's lamps, and of surroundings, which
-/// fill the picture, under the dimmer lamp near the eye.
+/// The mean reflectance that renders as a middle grey: for objects under the studio's lamps, and for surroundings,
+/// which fill the picture, under the dimmer lamp near the eye.
 constexpr double kMiddle = 0.18, kMiddleAround = 0.35;
 
 /// The gain of the lamps for a subject.
@@ -149,27 +149,27 @@ float lampGain(const StudioSubject& subject) {
     return static_cast<float>(std::clamp(gain, 1.0, kMostGain));
 }
 
-/// The light of a lamp near the eye, as the radiance of a white surface at the centre's distance, and that of a dim sky
-/// (all_around), whose ambient light reduces the contrast between near and far surfaces.
+/// The light of a lamp near the eye, as the radiance of a white surface at the distance of the centre, and the light of
+/// a dim sky (all_around), which reduces the contrast between near and far surfaces.
 struct EyeLamp {
     float lamp, all_around;
 };
 constexpr EyeLamp kBeforeEye{0.5f, 0.9f};
 constexpr EyeLamp kAmongWalls{0.6f, 0.75f};                    // walls occlude much of the sky from each other
 constexpr float kAbove = 0.4f, kAcross = 0.36f, kBelow = 0.3f; // floors, walls and ceilings differ in brightness
-/// Among walls the lamp is this share of the way from the eye up to the ceiling, so that nearby objects at eye level
-/// are not too bright, and cast visible shadows.
+/// Between walls, the lamp is raised by this share of the way from the eye to the ceiling, so that nearby objects at
+/// eye level are not too bright and cast visible shadows.
 constexpr double kLampHeight = 0.5;
 
 void addEyeLamp(SceneDescription& scene, const Staging& staging, const StudioSubject& subject) {
     const float gain = lampGain(subject);
     const Vec3 to_centre = staging.center - staging.eye;
     const bool central = length(to_centre) < staging.radius / 2;
-    // one of many rooms: the centre and the height of the whole say nothing about it
+    // with many rooms, the centre and the height of the whole scene say nothing about this one
     const bool own_room = subject.walls && !central;
     const double distance = own_room ? subject.walls->distance : std::max(length(to_centre), 0.25 * staging.radius);
     // above and left of the eye, so that surfaces have shading. Without walls, the lamp is as far behind the eye as the
-    // centre is in front of it: near surfaces do not get much more light than far ones
+    // centre is in front of it, so that near surfaces do not get much more light than far ones
     const bool walled = central || own_room;
     const double headroom =
         own_room ? subject.walls->headroom : std::max(0.0, dot(to_centre, staging.up) - staging.floor);
@@ -198,13 +198,12 @@ void addFloor(SceneDescription& scene, const Staging& staging, double level, flo
     scene.shapes.push_back(plane);
 }
 
-/// The sky's light on a level floor over that of its horizon, where paths reach the sky: the mean of its gradient, by
-/// the square root of the height, weighted by the cosine, is 0.2 horizon + 0.8 zenith.
+/// For path tracing: the sky's light on a level floor relative to that of a sky as bright as its horizon. The gradient
+/// follows the square root of the height; its cosine-weighted mean is 0.2 horizon + 0.8 zenith.
 constexpr float kSkyOnFloor = 0.2f + 0.8f * kStudioZenith;
 
-/// A sky whose horizon is as bright as the floor, which the lamps give the radiance lit_floor.
-/// Open ground has no floor around it: below the horizon the picture darkens downwards, where eyes above the ground
-/// look.
+/// A sky whose horizon is as bright as the floor. lit_floor: the floor's radiance by the lamps. Open ground has no
+/// floor around it, so below the horizon the picture darkens downwards, where cameras above the ground look.
 SkyDescription studioSky(Color lit_floor, const StudioLight& light, const StudioSubject& subject) {
     const bool is_path_traced = subject.is_path_traced;
     SkyDescription sky;
@@ -212,7 +211,8 @@ SkyDescription studioSky(Color lit_floor, const StudioLight& light, const Studio
         sky.horizon[c] = is_path_traced ? lit_floor[c] / (1 - light.floor * kSkyOnFloor) : lit_floor[c];
         sky.zenith[c] = kStudioZenith * sky.horizon[c];
         sky.ground[c] = subject.is_ground ? kBelowGround * sky.horizon[c] : sky.horizon[c];
-        if (!is_path_traced) sky.horizon[c] += light.floor * sky.ambient * sky.zenith[c]; // ambient light on the floor
+        // ambient light that the floor receives
+        if (!is_path_traced) sky.horizon[c] += light.floor * sky.ambient * sky.zenith[c];
     }
     return sky;
 }
@@ -222,7 +222,7 @@ void addStudio(SceneDescription& scene, const Staging& staging, const StudioSubj
     const float gain = lampGain(subject), grey = studio.floor / gain;
     if (subject.around_eye) return addEyeLamp(scene, staging, subject);
     const double level = staging.floor - kStudioGap * staging.radius;
-    // from below, a floor would hide the scene; the lamps then shine from below too
+    // seen from below, a floor would hide the scene, so there is none and the lamps also shine from below
     const bool below = dot(staging.eye - staging.center, staging.up) <= level;
     if (has_floor && !below && !subject.is_ground) addFloor(scene, staging, level, grey);
     const Vec3 lamps_up = (below ? -1.0 : 1.0) * staging.up;
@@ -246,7 +246,7 @@ bool isLeftToDefaults(const SceneDescription& scene, const RenderSettings& setti
     return is_bare && !room && !settings.lights && castsShadowRays(settings.integrator);
 }
 
-/// Lights for an unlit scene in front of a plain background. Gaussian captures bring their own, also for shapes among
+/// Lights for an unlit scene in front of a plain background. Gaussian captures contain their own, also for shapes among
 /// them.
 void addLampsBeforeBackground(SceneDescription& scene, const RenderSettings& settings, const Staging& staging,
                               const StudioSubject& subject, bool in_room) {
@@ -268,8 +268,8 @@ bool isPlain(const SkyDescription& sky, const Background& background) {
     return sky == plainSky(background, sky.ambient);
 }
 
-/// Replaces the sky by scene.background. It lights what has no lights of its own as the studio's sky would, and nothing
-/// else: ambient light would brighten what its lights leave dark.
+/// Replaces the sky by scene.background. It gives ambient light, like the studio's sky, only to scenes without lights
+/// of their own: elsewhere it would brighten what the lights leave dark.
 void addBackground(SceneDescription& scene, const RenderSettings& settings, const Staging& staging,
                    const StudioSubject& subject, bool in_room) {
     const bool is_unlit = scene.lights.empty() && !scene.sky;

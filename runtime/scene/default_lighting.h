@@ -16,23 +16,24 @@ constexpr std::uint32_t kRingLights = 3;
 
 /// The properties of the scans that the studio adapts to.
 struct StudioSubject {
-    /// The 95th percentile of reflectance; of an eye within the scene, the mean of what it sees. Lamps are dimmed for
-    /// white subjects and brightened for black ones; the floor looks the same under all.
+    /// The 95th percentile of reflectance; for an eye within the scene, the mean of what it sees. Lamps are dimmed for
+    /// white subjects and brightened for black ones; the floor looks the same with all of them.
     double reflectance = 0.5;
-    /// The eye is inside the scene, where outside lamps would be occluded: one lamp is near the eye, and ambient light
-    /// comes from all sides.
+    /// The eye is inside the scene, where lamps outside would be occluded: so one lamp is near the eye, and ambient
+    /// light comes from all sides.
     bool around_eye = false;
-    /// Every instance is a Gaussian capture whose light is part of it, and which nothing lights.
+    /// Every instance is a Gaussian capture that shows its captured light and is not lit.
     bool only_gaussians = false;
-    /// What encloses the eye, if anything does.
+    /// The walls around the eye, if any enclose it.
     std::optional<Surrounding> walls = {};
     /// The mean reflectance: lamps are brightened for mostly dark subjects until their brightest parts are white.
     double mean_reflectance = 0.5;
     /// Light bounces: paths see the sky, and the floor lights the scans.
     bool is_path_traced = false;
-    /// Open ground, which would hover over a floor. Where paths reach the sky, it is light below, too.
+    /// Open ground, which would seem to hover over a floor. With path tracing it also gets a light sky below.
     bool is_ground = false;
-    /// The lowest point along up, for scenes whose up is not along an axis: the corner of their box is far below.
+    /// The lowest point along up. Needed if the scene's up is not along an axis: the corner of its box is then far
+    /// below.
     std::optional<double> lowest = {};
 };
 
@@ -47,19 +48,19 @@ bool isLitByDefault(const SceneDescription& scene, const RenderSettings& setting
 ///    lamps over a matte floor, which is a backdrop without first hits and coverage. Gaussian captures alone get a
 ///    black background instead.
 ///  - settings.background: a sky of that colour in place of the scene's. Unlit scenes then get the studio's lamps
-///    without its floor, and only_gaussians none unless settings.lights or a room asks for them.
+///    without its floor, and only_gaussians none unless settings.lights or a room adds them.
 /// Stores the chosen room and number of lamps in scene.surroundings, unless a choice is already there.
 /// They are placed for the eye scene.staged_for, else for camera's eye, and do not move with it.
 /// low and high: corners of the scene's bounds, world frame.
 void addSurroundings(SceneDescription& scene, const RenderSettings& settings, const Camera& camera, Vec3 low, Vec3 high,
                      const StudioSubject& subject = {});
 
-/// The background of pictures of a scene with surroundings, which have no highlight compression then. None if there is
+/// The background of pictures of a scene with surroundings; they then have no highlight compression. None if there is
 /// no background, or if its sky has been edited since.
 std::optional<Background> pictureBackground(const SceneDescription& scene);
 
-/// Makes the surroundings from addSurroundings part of the scene, before it is edited or saved: nothing more is added
-/// later.
+/// Makes the surroundings from addSurroundings a part of the scene, before it is edited or saved, so that none are
+/// added later.
 void ownSurroundings(SceneDescription& scene, RenderSettings& settings);
 
 /// The up direction of rooms and the sky, unit length: the scene's, or the axis nearest to the camera's up.

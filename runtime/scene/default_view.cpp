@@ -14,14 +14,14 @@
 namespace pointrt {
 namespace {
 
-/// A three-quarter view from above: sites are seen in plan, but buildings keep their height.
+/// A three-quarter view from above: it shows the plan of a site and still the height of buildings.
 constexpr double kSiteElevation = 35 * kDegree, kSiteAzimuth = 30 * kDegree;
-/// Over a wall 3 m high, this shows the floor from 2.5 m behind it.
+/// Elevation of the view over walls: over a wall 3 m high, it shows the floor from 2.5 m behind the wall.
 constexpr double kWalledElevation = 50 * kDegree;
 /// Another side replaces the front if it shows this many times as much.
 constexpr double kMuchMore = 1.3;
 /// A range image: this share of the splats is within this angle of the line of sight.
-constexpr double kFrameCosine = 0.34; // 70 degrees
+constexpr double kFrameCosine = 0.34; // 70 degrees: the angle for a range image
 constexpr double kFrameShare = 0.99;
 /// Field of view inside rooms.
 constexpr double kRoomFov_deg = 80;
@@ -122,7 +122,7 @@ bool isWithin(const SampleBox& box, Vec3 point) {
 
 /// True if there is room for an eye: almost no disc's sphere contains it.
 bool isFree(const SceneSample& sample, Vec3 eye) {
-    constexpr double kInTheWay = 0.001; // tolerates dust around a scanner
+    constexpr double kInTheWay = 0.001; // share of discs that may be too close: tolerates dust around a scanner
     double around = 0;
     for (const SampledSplat& splat : sample.splats) around += length(splat.position - eye) <= splat.radius ? 1 : 0;
     return around <= kInTheWay * static_cast<double>(sample.splats.size());
@@ -159,7 +159,7 @@ double hiddenShare(const SceneSample& sample, const Ground& ground) {
 
 /// The share of the surface seen from a side, above or below, that is horizontal and near that end.
 double levelShare(const SceneSample& sample, const Ground& ground, Vec3 side) {
-    constexpr double kLevel = 0.85, kDepth = 0.1; // 32 degrees; of the height
+    constexpr double kLevel = 0.85, kDepth = 0.1; // 32 degrees; share of the height
     const Visibility visible = visibleAlong(sample, denseBox(sample), basisFrom(ground, side));
     const Extent heights = alongAxis(sample, side);
     double level = 0;
@@ -171,7 +171,7 @@ double levelShare(const SceneSample& sample, const Ground& ground, Vec3 side) {
     return visible.seen.empty() ? 0 : level / static_cast<double>(visible.seen.size());
 }
 
-/// Whether a sample in metres may be of rooms.
+/// Whether a sample in metres may show rooms, judged by its size.
 bool isAsLargeAsARoom(const SceneSample& sample, const Ground& ground) {
     constexpr double kLowest = 1.8, kHighest = 8, kWidest = 100;
     const double height = alongAxis(sample, ground.up).size();
@@ -184,7 +184,7 @@ bool isAsLargeAsARoom(const SceneSample& sample, const Ground& ground) {
 /// models.
 bool isScannedShell(const SceneSample& sample, const Ground& ground) {
     constexpr double kCeiling = 0.5, kUneven = 3;
-    constexpr double kFloor = 0.3; // a scanner sees none beneath itself
+    constexpr double kFloor = 0.3; // a scanner does not see the floor beneath itself
     if (!isAsLargeAsARoom(sample, ground)) return false;
     std::vector<double> radii;
     for (const SampledSplat& splat : sample.splats) radii.push_back(splat.radius);
@@ -205,8 +205,8 @@ bool isRoom(const SceneSample& sample, const Ground& ground) {
     return hiddenShare(sample, ground) >= kFurniture && levelShare(sample, ground, ground.up) >= kCeiling;
 }
 
-/// The highest free space between level surfaces around a vertical line: a room between its floor, or a table, and its
-/// ceiling; in buildings, one of several.
+/// The highest free space between level surfaces along a vertical line: between the floor (or a table) and the ceiling
+/// of a room; in buildings with several storeys, one of them.
 Extent storeyAt(const SceneSample& sample, const Ground& ground, double x, double y, double reach, const Extent& all) {
     constexpr double kLevel = 0.85; // 32 degrees
     std::vector<double> levels{all.low, all.high};
@@ -258,7 +258,7 @@ std::vector<Vec3> someOf(const std::vector<Vec3>& places) {
     return some;
 }
 
-/// The share of a sample that is visible from eye in all directions.
+/// The share of a sample that an eye sees when it looks in all directions.
 double seenAround(const SceneSample& sample, const std::vector<double>& weights, const Ground& ground, Vec3 eye) {
     double seen = 0;
     for (const Vec3 side :
@@ -268,7 +268,7 @@ double seenAround(const SceneSample& sample, const std::vector<double>& weights,
 }
 
 /// The scanners' positions in a room. If none is known, the position that sees most, since the scanner saw everything:
-/// the origin of a file's coordinates, or one with clearance around it.
+/// either the origin of a file's coordinates, or a position with clearance around it.
 std::vector<Vec3> eyesInRoom(const SceneSample& sample, const Ground& ground) {
     const std::vector<Vec3> known = someOf(freeWithin(sample, boundsOf(sample), sample.sensors));
     if (!known.empty()) return known;
@@ -284,8 +284,8 @@ std::vector<Vec3> eyesInRoom(const SceneSample& sample, const Ground& ground) {
 /// True for walls of the size of rooms around a place, with little of a ceiling over it: maps of scanners that were
 /// carried around hold the walls of rooms, but not always their ceilings.
 bool isWalled(const SceneSample& sample, const Ground& ground) {
-    // Within rooms 0.74 and 0.77 of all level directions meet a wall, in streets 0.24 at most.
-    // A ceiling is closed where walls are: of bodies scanned from outside, so is the top.
+    // In rooms, 0.74 and 0.77 of all level directions meet a wall, in streets at most 0.24. A sample has a ceiling if
+    // it is closed above the walls, but bodies scanned from outside are closed there as well.
     constexpr double kWalls = 0.6, kCeiling = 0.6;
     if (!isAsLargeAsARoom(sample, ground)) return false;
     const std::vector<Vec3> places = placesWithin(sample, ground);
@@ -295,7 +295,7 @@ bool isWalled(const SceneSample& sample, const Ground& ground) {
     });
 }
 
-/// The side from above that shows most of what is low: not the one whose walls and ceilings hide the floor.
+/// The side from above that shows most of the low parts: not one where walls and ceilings hide the floor.
 Vec3 sideOverWalls(const SceneSample& sample, const Ground& ground) {
     const SampleBox box = boundsOf(sample);
     const double middle = alongAxis(sample, ground.up).middle();
@@ -330,8 +330,8 @@ ViewChoice fullestPlace(const SceneSample& sample, const Ground& ground, const s
 /// and face the eye.
 bool looksScannedFrom(const SceneSample& sample, Vec3 eye) {
     // A frame's spacing is proportional to the distance on surfaces of one slope. In seven frames, growth is 0.6 to 1.2
-    // and correlation 0.32 to 0.92. Of 50 other scans, in seven the distances, growth and correlation are as large from
-    // the origin; they reach around it, face away from it, or their scanner is known.
+    // and correlation 0.32 to 0.92. In seven of 50 other scans, the distances, growth and correlation are as large from
+    // the origin; those scans reach around it, face away from it, or have a known scanner.
     constexpr double kLeastGrowth = 0.4, kLeastCorrelation = 0.3, kLeastRange = 1.7, kFacing = 0.6;
     std::vector<double> distances;
     double xx = 0, xy = 0, yy = 0, x = 0, y = 0, facing = 0, discs = 0;
@@ -411,7 +411,7 @@ std::optional<ViewChoice> viewOfSensor(const SceneSample& sample, Vec3 up) {
 }
 
 PlaceKind placeKind(const SceneSample& sample, Vec3 up, bool is_surveyed) {
-    constexpr double kLow = 0.34, kLowWithTrees = 0.5, kGround = 0.5; // vehicles are half as high as long
+    constexpr double kLow = 0.34, kLowWithTrees = 0.5, kGround = 0.5; // vehicles are half as high as they are long
     const Ground ground = groundOf(up);
     if (isRoom(sample, ground)) return PlaceKind::kRoom;
     const double height = flatness(sample, ground);

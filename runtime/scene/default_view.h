@@ -12,7 +12,7 @@ namespace pointrt {
 struct ViewChoice {
     Vec3 side;               ///< unit vector from the scene to the eye
     std::optional<Vec3> eye; ///< a fixed position: a scanner's, or one inside a room; none: outside the scene
-    bool is_site = false;    ///< a site from above, whose thin surroundings need not be in the picture
+    bool is_site = false;    ///< a site seen from above, whose thin surroundings may be outside the picture
 };
 
 /// The side of a standard view. up: unit length
@@ -31,8 +31,9 @@ Vec3 upIn(StandardView view, Vec3 up);
 ViewChoice chooseView(const SceneSample& sample, Vec3 up);
 
 enum class PlaceKind { kObject, kRoom, kSite };
-/// What sample shows, which must have no strays: an interior, ground wider than it is high, or anything else. sample:
-/// not empty; up: unit length; is_surveyed: by lidar or the like, so that whatever is wide is ground, also below trees
+/// The kind of place that sample shows: an interior, ground wider than it is high, or anything else. sample: not empty,
+/// without strays; up: unit length; is_surveyed: by lidar or the like, so that anything wide is ground, also below
+/// trees
 PlaceKind placeKind(const SceneSample& sample, Vec3 up, bool is_surveyed);
 
 /// The view from a scanner: the one that saw everything, or the one that shows most. None if no scanner's position is

@@ -10,11 +10,11 @@
 namespace pointrt {
 namespace {
 
-/// The least share of the splats that is shown.
+/// The smallest share of the splats to show.
 constexpr double kLeastShare = 0.9;
-/// The share of the splats over this power of the distance is to be largest: in the corners of a square, which hold
-/// few, the share grows with the 0.4th power, in corridors with the first, in frames of spinning lidars, beyond nine
-/// tenths, with the 0.2th at most.
+/// The distance is chosen at which the share of the splats divided by this power of the distance is largest. In the
+/// corners of a square, which hold few splats, the share grows with the 0.4th power of the distance, in corridors with
+/// the first, and in frames of spinning lidars, beyond nine tenths, with at most the 0.2th.
 constexpr double kPower = 0.25;
 
 double medianAlong(const SceneSample& sample, Vec3 axis) {

@@ -12,7 +12,7 @@ namespace {
 constexpr int kRounds = 40;
 /// Iterations stop below this relative error, which is invisible.
 constexpr double kDone = 0.0005;
-/// Smallest depth, as a share of the distance to the centre; nearer splats are treated as this far.
+/// The smallest depth, as a share of the distance to the centre; splats that are nearer are treated as this far.
 constexpr double kNearShare = 0.05;
 
 /// The extents of the splats in the picture: tangents of angles from the line of sight, or lengths if parallel.
@@ -64,7 +64,7 @@ Vec3 middleOf(const SceneSample& sample) {
     return 0.5 * (box.low + box.high);
 }
 
-/// length, or 1 for coincident splats, which any length shows.
+/// length, or 1 if it is 0 because splats coincide: any length shows them.
 double orOne(double length) { return length > 0 && std::isfinite(length) ? length : 1; }
 
 } // namespace
@@ -78,7 +78,7 @@ Fit fitPinhole(const SceneSample& sample, const ViewBasis& basis, double fov_deg
     const Vec3 middle = middleOf(sample);
     const std::vector<InView> splats = viewed(sample, basis, middle);
     const double tangent = std::tan(fov_deg * std::numbers::pi / 360);
-    // the centre of the free part relative to the picture's
+    // the centre of the free part, relative to the centre of the picture
     const double aim = -tangent * area.aspect * (1 - area.free_share);
     const SampleBox box = boundsOf(sample);
     double distance = orOne(length(box.high - box.low)) / std::min(tangent, 1.0), right = 0, up = 0;

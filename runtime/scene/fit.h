@@ -30,8 +30,8 @@ struct Fit {
     double height = 0; ///< of a parallel picture, world units
 };
 
-/// The eye that looks along basis.forward and sees sample, with its whole discs, centred and filling kFramedShare of
-/// the free part. fov_deg: vertical. sample: not empty
+/// The eye that looks along basis.forward and sees all discs of sample, centred and filling kFramedShare of the free
+/// part. fov_deg: vertical. sample: not empty
 Fit fitPinhole(const SceneSample& sample, const ViewBasis& basis, double fov_deg, const PictureArea& area);
 Fit fitParallel(const SceneSample& sample, const ViewBasis& basis, const PictureArea& area);
 

@@ -11,12 +11,11 @@
 namespace pointrt {
 namespace {
 
-/// Scanners and rooms may need wider pictures than objects, but beyond this perspective distorts too much.
+/// Scanners and rooms may need wider pictures than objects; beyond this angle, perspective distorts too much.
 constexpr double kWidest_deg = 80;
-/// If a scanner saw the scene under a smaller angle, it was far away, and its exact position shows no more than
-/// another.
+/// If a scanner saw the scene at a smaller angle, it was far away, and its exact position is no better than another.
 constexpr double kNarrowest_deg = 20;
-/// Distance of the pivot inside a room, as a share of the mean distance to the surfaces.
+/// Distance of the pivot inside a room, relative to the mean distance of the surfaces.
 constexpr double kPivotShare = 0.5;
 
 Vec3 usable(Vec3 up, Vec3 side) {
@@ -49,11 +48,11 @@ ViewChoice chosen(const CameraRequest& request, const SceneSample& sample, Vec3 
     throw Error{ExitCode::kBadUsage, "--view sensor: no scan contains its scanner's position"};
 }
 
-/// A view from a fixed eye; a free field of view becomes as wide as needed.
+/// A view from a fixed eye; if the field of view is free, it becomes as wide as needed.
 FramedRequest fromPlace(CameraRequest request, const SceneSample& sample, const ViewChoice& choice,
                         const FixedEyeFit& fit, Vec3 up, bool free_fov) {
     const Vec3 eye = *choice.eye;
-    const bool sees_all = fit.fov_deg < kWidest_deg; // else the eye is amidst the scene
+    const bool sees_all = fit.fov_deg < kWidest_deg; // otherwise the eye is in the middle of the scene
     FramedRequest framed;
     framed.within = true;
     const Vec3 forward = sees_all ? fit.forward : -1.0 * choice.side;
@@ -112,7 +111,7 @@ FramedRequest fromGivenEye(FramedRequest framed, const SceneSample& sample, Vec3
     return framed;
 }
 
-/// A given target seen from the side of a view, at frameCamera's distance, or from a scanner's position.
+/// A given target, seen from the side of a view at frameCamera's distance, or from a scanner's position.
 FramedRequest fromSideOf(CameraRequest request, const SceneSample& sample, Vec3 up) {
     const ViewChoice choice = chosen(request, sample, up);
     request.eye = choice.eye;

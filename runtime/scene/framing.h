@@ -15,7 +15,7 @@ struct FramedRequest {
     std::optional<Vec3> pivot; ///< the centre of the scene as shown; none: the camera was not framed
     double aside = 0;          ///< distance of the pivot to the left of the picture's centre, in picture heights
     bool within = false;       ///< the eye is inside the scene, where light from outside would be occluded
-    std::optional<Surrounding> walls = {}; ///< what surrounds the eye, if that encloses it
+    std::optional<Surrounding> walls = {}; ///< the walls around the eye, if they enclose it
 };
 
 /// Completes a request without eye and target: from its standard view, else from the side that shows most, at the
@@ -26,7 +26,7 @@ struct FramedRequest {
 FramedRequest frameScene(const CameraRequest& request, const SceneSample& sample, Vec3 up, const PictureArea& area,
                          bool free_fov);
 
-/// placeKind of a sample with strays.
+/// placeKind for a sample with strays.
 PlaceKind kindOfPlace(const SceneSample& sample, Vec3 up, bool is_surveyed);
 
 } // namespace pointrt

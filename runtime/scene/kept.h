@@ -8,7 +8,7 @@
 
 namespace pointrt {
 
-/// What clips keep of an instance; empty if they do not cut it. Nothing of a hidden one.
+/// The half-spaces that clips keep of an instance; empty if no clip cuts it. Hidden instances are cut entirely.
 std::vector<HalfSpace> keptOf(std::span<const ClipDescription> clips, const InstanceDescription& instance);
 
 } // namespace pointrt

@@ -16,7 +16,7 @@ namespace {
 
 constexpr std::array kKindWords = {"scan", "shape", "light", "clip", "measurement"};
 
-/// visit(layer, visible) with both members of the part.
+/// Calls visit(layer, visible) with references to both members of the part.
 template <typename Scene, typename Visit>
 void visitLayer(Scene& scene, LayerId id, const Visit& visit) {
     switch (id.kind) {
@@ -38,7 +38,7 @@ void eraseAt(Items& items, std::size_t number) {
     items.erase(items.begin() + static_cast<std::ptrdiff_t>(number));
 }
 
-/// Scans and shapes of the scene's own: without one of them a scene file is refused.
+/// The number of the scene's own scans and shapes: a scene file without any is refused.
 std::size_t countBodies(const SceneDescription& scene) {
     const auto scans = std::count_if(scene.instances.begin(), scene.instances.end(),
                                      [](const InstanceDescription& each) { return !each.deleted; });

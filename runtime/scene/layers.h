@@ -24,7 +24,7 @@ struct LayerId {
 /// All parts, scans first, without deleted ones.
 std::vector<LayerId> layersOf(const SceneDescription& scene);
 
-/// Its name; of unnamed scans that of their file, else kind and number from 1, such as "light 2".
+/// Its name; for unnamed scans that of their file, else its kind and its number from 1, such as "light 2".
 std::string layerName(const SceneDescription& scene, LayerId id);
 /// The first layer with this name.
 std::optional<LayerId> layerNamed(const SceneDescription& scene, const std::string& name);
@@ -35,15 +35,15 @@ bool isLayerVisible(const SceneDescription& scene, LayerId id);
 /// A hidden clip cuts nothing; a hidden measurement is not drawn.
 void setLayerVisible(SceneDescription& scene, LayerId id, bool visible);
 
-/// Numbers of the shapes that are not hidden. The row of each on the device is its place here.
+/// Numbers of the shapes that are not hidden, in the order of their rows on the device.
 std::vector<std::size_t> shownShapes(const SceneDescription& scene);
 
 /// Whether a shape, with a material of its own, can be added; lights with a surface count as shapes.
 bool mayAddShape(const SceneDescription& scene);
 
-/// False for locked layers, and for the last scan or shape: a scene needs one.
+/// False for locked layers, and for the last scan or shape, since a scene needs one.
 bool mayDelete(const SceneDescription& scene, LayerId id);
-/// Numbers of later layers of its kind change, except for scans.
+/// Deletes a layer. The numbers of later layers of its kind change, except for scans.
 void deleteLayer(SceneDescription& scene, LayerId id);
 
 /// Hides the layers with these names. Throws Error kBadUsage "--hide: ..." for a name that no layer has.

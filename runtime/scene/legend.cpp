@@ -10,7 +10,7 @@
 namespace pointrt {
 namespace {
 
-/// Longer lists would cover the picture.
+/// a longer list would cover the picture
 constexpr std::size_t kMostEntries = 16;
 constexpr double kMostTicks = 6;
 
@@ -18,11 +18,11 @@ constexpr double kMostTicks = 6;
 double stepFor(double width) {
     const double least = width / kMostTicks, power = std::pow(10.0, std::floor(std::log10(least)));
     for (const double factor : {1.0, 2.0, 5.0})
-        if (factor * power >= least * (1 - 1e-9)) return factor * power; // tolerates rounding
+        if (factor * power >= least * (1 - 1e-9)) return factor * power; // tolerance for rounding
     return 10 * power;
 }
 
-/// Larger numbers are written with an exponent: doubles have no more digits.
+/// Larger numbers are written with an exponent, since doubles have no more digits.
 constexpr double kLongest = 1e15;
 
 std::string tickText(double value, double step) {
@@ -57,7 +57,8 @@ std::vector<LegendTick> ticksOf(ValueRange range) {
     for (int k = 0; k <= 2 * kMostTicks && (first + k) * step <= range.high + 1e-9 * step; ++k) {
         const double value = (first + k) * step;
         const std::string text = tickText(value, step);
-        if (!ticks.empty() && ticks.back().text == text) continue; // steps below the precision of large numbers
+        // steps below the precision of large numbers give equal texts
+        if (!ticks.empty() && ticks.back().text == text) continue;
         ticks.push_back({std::clamp((value - range.low) / width, 0.0, 1.0), text});
     }
     return ticks;

@@ -24,7 +24,7 @@ struct LegendEntry {
 struct Legend {
     std::string title;
     ValueRange range;       ///< of the bar
-    std::vector<Srgb8> bar; ///< the lowest first; empty: a list
+    std::vector<Srgb8> bar; ///< lowest value first; empty: the legend is a list
     std::vector<LegendTick> ticks;
     std::vector<LegendEntry> entries;
 };

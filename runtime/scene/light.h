@@ -37,13 +37,13 @@ concept HasSurface = std::same_as<decltype(std::declval<const L&>().surface()), 
 template <typename L>
 concept Light = std::equality_comparable<L> && requires(L light, const L& given, const gpu::Light& row) {
     { L::kNames } -> std::same_as<const LightNames&>;
-    light.eachField(AnyFieldVisitor{});                  // its values, in the order of files and panels
-    { light.emission() } -> std::same_as<EmissionField>; // the value that is its strength
-    { L::newAt(LightPlace{}) } -> std::same_as<L>;       // a new light, still dark
+    light.eachField(AnyFieldVisitor{});                  // the light's values, in the order of files and panels
+    { light.emission() } -> std::same_as<EmissionField>; // which of the values is its strength
+    { L::newAt(LightPlace{}) } -> std::same_as<L>;       // a new light, of strength 0
     { given.isSoft() } -> std::same_as<bool>;            // true if shadow rays sample it
-    requires HasSurface<L> || std::same_as<decltype(given.surface()), NoSurface>; // its shape, if any
-    { given.row() } -> std::same_as<gpu::Light>; // for the device, without its kind; render units
-    { L::photon(row, std::declval<const PhotonAim&>()) } -> std::same_as<EmittedPhoton>; // towards a target
+    requires HasSurface<L> || std::same_as<decltype(given.surface()), NoSurface>; // the shape of its surface, if any
+    { given.row() } -> std::same_as<gpu::Light>; // the device's row, without the kind; render units
+    { L::photon(row, std::declval<const PhotonAim&>()) } -> std::same_as<EmittedPhoton>; // a photon towards a target
 };
 
 /// Lights with a direction that panels can change: facing() returns it, face(direction, scene up) sets it.
@@ -62,7 +62,7 @@ constexpr void eachLightKind(Task&& task) {
     (std::make_index_sequence<kLightKinds>{});
 }
 
-/// By the number of the kind.
+/// The names of the kind with this number.
 const LightNames& namesOf(std::size_t kind);
 bool hasSurface(std::size_t kind);
 /// The light's strength, by reference to its value.

@@ -88,8 +88,8 @@ struct EmissionField {
     enum class Quantity { kIntensity, kIrradiance, kRadiance };
     Quantity quantity;
     Color& value;
-    double seen_area = 0;               ///< for radiance: projected area, seen from afar in front
-    std::optional<double> watts_of_one; ///< power of a light of strength 1; none: cannot be given in watts
+    double seen_area = 0;               ///< for radiance: the projected area, seen from the front at a large distance
+    std::optional<double> watts_of_one; ///< power of a light of strength 1; none: the strength cannot be given in watts
 
     const char* key() const {
         constexpr const char* keys[] = {"intensity", "irradiance", "radiance"};

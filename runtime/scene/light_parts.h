@@ -27,7 +27,7 @@ struct LampSurface {
 /// For lights without a surface.
 struct NoSurface {};
 
-/// The initial position of a light added to a scene.
+/// Where to place a light that is added to a scene.
 struct LightPlace {
     Vec3 position, ahead; ///< ahead: unit vector to the centre of the scene
     Vec3 up;              ///< unit length

@@ -9,7 +9,7 @@ namespace pointrt {
 namespace {
 
 using M = MaterialDescription;
-constexpr double kLargest = 1e12; ///< squares and products of a few such numbers fit in float
+constexpr double kLargest = 1e12; ///< squares and products of a few such numbers still fit in float
 
 // In the order of written scene files.
 constexpr MaterialField kFields[] = {

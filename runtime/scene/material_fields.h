@@ -17,7 +17,7 @@ struct MaterialField {
     const char* key; ///< in scene files
     std::variant<float MaterialDescription::*, bool MaterialDescription::*, Color MaterialDescription::*> member;
     double low, high; ///< range of numbers and colour components, inclusive
-    // in the window
+    // the rest is for the window
     const char* label;
     const char* tip;
     const char* format;                               ///< printf format of numbers

@@ -13,13 +13,13 @@ namespace {
 
 /// Twice the step to which a scan's positions are rounded, 2^-21 of its octree's edge.
 constexpr double kResolved = 1e-6;
-/// A length near this would be a line of digits; files allow coordinates up to here.
+/// Beyond this, a length would be a long row of digits; scene files allow coordinates up to here.
 constexpr double kMostWritten = 1e12;
 
 PathMeasures measuresOf(const MeasureDescription& measure) {
     std::vector<Position> points;
     for (const Vec3 point : measure.points) points.push_back(arrayOf(point));
-    return measurePath(points, {0, 0, 1}); // neither length nor area depend on up
+    return measurePath(points, {0, 0, 1}); // neither length nor area depends on up
 }
 
 std::string numberText(double value, double step) {
@@ -33,14 +33,15 @@ std::string measuredText(const MeasureDescription& measure, const MeasureUnits& 
     const std::string unit = units.unit.empty() ? "" : " " + units.unit;
     const double step = kResolved * units.scene_size;
     if (!measure.closed) return numberText(measures.length, step) + unit;
-    // a step at the end of a side as long as the scene's hundredth changes the area by so much
+    // the area changes by this much if a side that is a hundredth of the scene long is moved by one step
     const std::string area = numberText(measures.area.value_or(0), 1e-2 * units.scene_size * step);
     return area + (unit.empty() ? "" : unit + "2");
 }
 
 std::string labelOf(const MeasureDescription& measure, const MeasureUnits& units) {
     const std::string& name = measure.layer.name;
-    return measuredText(measure, units) + (name.empty() ? "" : ", " + name); // in this order a cut hides no number
+    // the number first, so that cutting the text hides no digits
+    return measuredText(measure, units) + (name.empty() ? "" : ", " + name);
 }
 
 Vec3 labelPlace(const MeasureDescription& measure) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Measurements that are kept with a scene. Nothing is rendered of them: they are drawn over pictures.
+// Measurements that are saved with a scene. They are not rendered but drawn over pictures.
 #pragma once
 
 #include <string>
@@ -10,10 +10,10 @@
 
 namespace pointrt {
 
-/// A path, of which the length is measured, or a polygon, of which the area is.
+/// A path, whose length is measured, or a polygon, whose area is.
 struct MeasureDescription {
-    std::vector<Vec3> points; ///< world frame; at least two, of a polygon three
-    bool closed = false;      ///< a polygon
+    std::vector<Vec3> points; ///< world frame; at least two, for a polygon three
+    bool closed = false;      ///< true: a polygon
     bool visible = true;
     Layer layer{};
     bool operator==(const MeasureDescription&) const = default;
@@ -30,7 +30,7 @@ std::string measuredText(const MeasureDescription& measure, const MeasureUnits& 
 /// The same with the measurement's name, if it has one: "12.345 m, eaves".
 std::string labelOf(const MeasureDescription& measure, const MeasureUnits& units);
 
-/// Where its label is: half way along a path, or at the mean of a polygon's corners.
+/// The place of its label: half way along a path, or the mean of a polygon's corners.
 Vec3 labelPlace(const MeasureDescription& measure);
 
 } // namespace pointrt

@@ -12,18 +12,18 @@
 namespace pointrt {
 namespace {
 
-// As the window draws them: light lines on dark ones are visible on any picture.
+// As in the window: light lines on dark ones are visible on any picture.
 constexpr Srgb8 kOutline{0, 0, 0}, kPathColor{125, 190, 235}, kDotColor{255, 255, 255};
 constexpr double kOutlineOpacity = 0.6, kOutlineHalfWidth = 1.75, kPathHalfWidth = 0.75; // units of a layout
 constexpr double kOutlineDot = 3.5, kDot = 2.25;
 constexpr std::size_t kLabelPadding = 3;
 
-/// Along the camera's axes.
+/// A place in the coordinates of the camera's axes.
 struct CameraPlace {
     double right = 0, up = 0, forward = 0;
 };
 
-/// The axes of calibrated cameras are not orthonormal: they hold the lens.
+/// The axes of calibrated cameras are not orthonormal, as they include the lens.
 CameraPlace alongAxes(const Camera& camera, Vec3 point) {
     const Vec3 to = point - camera.eye, across = cross(camera.up, camera.forward);
     const double volume = dot(camera.right, across);
@@ -61,7 +61,7 @@ public:
             twice(*place, *place, {kOutlineDot, kDot}, kDotColor);
     }
 
-    /// Centred on a place, and moved into the picture. Omitted if the place is outside.
+    /// Adds a label centred on a place, moved into the picture. Omitted if the place is outside.
     void label(Vec3 at, const std::string& text) {
         const auto place = placeInPicture(camera_, size_, at);
         if (!place || place->x < 0 || place->y < 0 || place->x > size_.width || place->y > size_.height) return;
@@ -90,7 +90,7 @@ private:
 
     const Camera& camera_;
     PixelSize size_;
-    double nearest_; ///< along forward, that is drawn
+    double nearest_; ///< smallest distance along forward at which lines are drawn
     std::size_t scale_;
     PictureOverlay& overlay_;
 };
@@ -106,7 +106,7 @@ std::optional<PixelPlace> placeInPicture(const Camera& camera, PixelSize size, V
 void addMeasures(std::span<const MeasureDescription> measures, const MeasureUnits& units, const Camera& camera,
                  PixelSize size, PictureOverlay& overlay) {
     if (camera.panorama) return;
-    constexpr double kNearest = 1e-6; // of the scene: in front of the eye, and no division by zero
+    constexpr double kNearest = 1e-6; // share of the scene's size: in front of the eye, and large enough to divide by
     MeasurePen pen(camera, size, kNearest * units.scene_size, overlay);
     for (const MeasureDescription& each : measures) {
         if (!each.visible) continue;

@@ -12,14 +12,14 @@ namespace {
 void compositePixel(const std::uint8_t* over, std::uint8_t* under, std::size_t channels) {
     const std::uint32_t alpha = channels == 4 ? under[3] : 255u;
     const std::uint32_t over_weight = 255u * over[3], under_weight = alpha * (255u - over[3]);
-    const std::uint32_t sum = over_weight + under_weight; // of 255 * 255
+    const std::uint32_t sum = over_weight + under_weight; // in units of 255 * 255
     if (sum == 0) return;
     for (int c = 0; c < 3; ++c)
         under[c] = static_cast<std::uint8_t>((over[c] * over_weight + under[c] * under_weight + sum / 2) / sum);
     if (channels == 4) under[3] = static_cast<std::uint8_t>((sum + 127) / 255);
 }
 
-/// From the line's axis.
+/// Distance from the line's axis.
 double distanceTo(const OverlayLine& line, PixelPlace at) {
     const double dx = line.to.x - line.from.x, dy = line.to.y - line.from.y;
     const double squared = dx * dx + dy * dy;
@@ -41,7 +41,7 @@ Indices indicesWithin(double low, double high, std::size_t end) {
 /// Columns of a row that a line of this reach can touch.
 Indices columnsOf(const OverlayLine& line, double y, double reach, std::size_t width) {
     const double dx = line.to.x - line.from.x, dy = line.to.y - line.from.y;
-    double first = 0, last = 1; // shares of the line that are within reach of the row
+    double first = 0, last = 1; // the part of the line that is within reach of the row, as fractions of its length
     if (dy != 0) {
         const double a = (y - reach - line.from.y) / dy, b = (y + reach - line.from.y) / dy;
         first = std::clamp(std::min(a, b), 0.0, 1.0);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What is drawn over a finished picture: lines, and boxes such as legends and labels.
+// Graphics to draw over a finished picture: lines, and boxes such as legends and labels.
 #pragma once
 
 #include <cstddef>

@@ -10,7 +10,7 @@
 
 namespace pointrt {
 
-// As panoramaRay in shaders/lib/camera_ray.glsl.
+// Must agree with panoramaRay in shaders/lib/camera_ray.glsl.
 PanoramaRay panoramaRay(const Camera& camera, double across, double down) {
     constexpr double kPi = std::numbers::pi;
     const bool in_stereo = camera.eyes_apart > 0, is_left = down < 0.5;

@@ -13,7 +13,8 @@ namespace pointrt {
 struct PhotonTarget {
     Vec3 center;
     double radius = 0;
-    std::uint32_t code = 0; ///< compared by shaders/shade/photon.comp.glsl: owner, and a shape's number in higher bits
+    /// Identifies the target in shaders/shade/photon.comp.glsl: owner, and a shape's number in higher bits.
+    std::uint32_t code = 0;
 };
 
 /// The bounding sphere of the scene; photons of suns start outside.

@@ -20,11 +20,11 @@ constexpr std::array kClasses = {
     PointClass{"high vegetation", {0, 130, 0}},
     PointClass{"building", {255, 168, 0}},
     PointClass{"low noise", {255, 0, 255}},
-    PointClass{"model key point", {255, 0, 0}}, // up to LAS 1.3
+    PointClass{"model key point", {255, 0, 0}}, // until LAS 1.3
     PointClass{"water", {0, 80, 255}},
     PointClass{"rail", {150, 60, 220}},
     PointClass{"road surface", {70, 75, 90}},
-    PointClass{"overlap", {255, 240, 60}}, // up to LAS 1.3
+    PointClass{"overlap", {255, 240, 60}}, // until LAS 1.3
     PointClass{"wire, guard", {0, 220, 220}},
     PointClass{"wire, conductor", {0, 170, 200}},
     PointClass{"transmission tower", {220, 40, 90}},

@@ -10,8 +10,8 @@ namespace pointrt {
 
 struct PointLight {
     Vec3 position;
-    Color intensity;     ///< irradiance on a facing surface at unit distance
-    bool visible = true; ///< false: it is off, and its surface is not there
+    Color intensity;     ///< irradiance, at unit distance, on a surface that faces the light
+    bool visible = true; ///< false: the light is off, and its surface does not exist
     Layer layer{};
     bool operator==(const PointLight&) const = default;
 

@@ -14,7 +14,7 @@ struct QuadLight {
     Vec3 center, u, v; ///< u, v: perpendicular half edges; both sides emit
     Color radiance;
     bool seen_by_camera = true;
-    bool visible = true; ///< false: it is off, and its surface is not there
+    bool visible = true; ///< false: the light is off, and its surface does not exist
     Layer layer{};
     bool operator==(const QuadLight&) const = default;
 

@@ -38,7 +38,7 @@ struct InFilm {
     int place; ///< 0: not in the signature
     const char* name;
     const char* (*text)(const RenderSettings&) = nullptr; ///< default: the value, or "default" if it is not set
-    bool omits_default = false; ///< no entry for the default value: the setting is newer than films without it
+    bool omits_default = false; ///< no entry for the default value, because films older than the setting have none
 };
 inline constexpr InFilm kNotInFilm{0, ""};
 /// The camera's place in the signature; it is not in this table.
@@ -64,7 +64,8 @@ template <typename Members, typename Limits>
 RenderSetting(Members, std::optional<typename Limits::Value> RenderChoices::*, Limits, OnCommandLine, InSceneFile,
               InFilm) -> RenderSetting<Members, Limits>;
 
-/// A single sample is taken at the pixel's centre; several are spread over its area, and only these can be mixed.
+/// A single sample is taken at the pixel's centre; several are spread over its area, and films of several samples can
+/// be mixed with each other only.
 inline const char* pixelPattern(const RenderSettings& settings) { return settings.spp == 1 ? "centre" : "area"; }
 
 // clang-format off
@@ -77,7 +78,8 @@ inline constexpr std::tuple kRenderSettings{
     RenderSetting{&RenderSettings::spp, &RenderChoices::spp,
         CountRange{1, kMaxSpp},
         OnCommandLine{HelpGroup::kImage, "--spp", "N",
-            "Samples per pixel; 1 samples its centre (default {default}, or 8 where --integrator defaults to path; {limits})"},
+            "Samples per pixel; 1 samples its centre (default {default}, or 8 where --integrator defaults to path; "
+            "{limits})"},
         InSceneFile{FileTable::kRender, 3, "spp"},
         InFilm{6, "pixel", pixelPattern}},
     RenderSetting{&RenderSettings::seed, &RenderChoices::seed,
@@ -95,7 +97,7 @@ inline constexpr std::tuple kRenderSettings{
     RenderSetting{&RenderSettings::exposure, &RenderChoices::exposure,
         RealRange{-20, 20}, // stops: a factor of a million
         OnCommandLine{HelpGroup::kImage, "--exposure", "STOPS",
-            "Multiply the brightness of a PNG by 2^STOPS (default {default}; {limits})"},
+            "Multiply the brightness of PNG and TIFF pictures by 2^STOPS (default {default}; {limits})"},
         InSceneFile{FileTable::kRender, 7, "exposure"},
         kNotInFilm},
     RenderSetting{&RenderSettings::detail, &RenderChoices::detail,
@@ -108,8 +110,8 @@ inline constexpr std::tuple kRenderSettings{
     RenderSetting{&RenderSettings::integrator, &RenderChoices::integrator,
         OneOf{kIntegratorNames},
         OnCommandLine{HelpGroup::kLightAndSurfaces, "--integrator", "NAME",
-            "Rendering method: {limits} (default {default}; path for a PNG of a scan seen from outside, without options "
-            "for samples, light or surfaces)"},
+            "Rendering method: {limits} (default {default}, or path for a PNG of a scan seen from outside if no "
+            "option sets samples, light or surfaces)"},
         InSceneFile{FileTable::kRender, 1, "integrator"},
         InFilm{3, "integrator"}},
     RenderSetting{&RenderSettings::bounces, &RenderChoices::bounces,
@@ -121,21 +123,23 @@ inline constexpr std::tuple kRenderSettings{
     RenderSetting{&RenderSettings::room, &RenderChoices::room,
         OneOf{kRoomNames},
         OnCommandLine{HelpGroup::kLightAndSurfaces, "--room", "NAME",
-            "Box around the scene: {limits} (default: none, and a studio of three lamps over a floor if neither "
-            "--lights nor the scene sets up lights)"},
+            "Box around the scene: {limits} (default: none; a scene without lights gets a studio of three lamps and "
+            "a floor, unless --lights is given)"},
         InSceneFile{FileTable::kScene, 1, "room"},
         InFilm{7, "room"}},
     RenderSetting{&RenderSettings::lights, &RenderChoices::lights,
         CountRange{0, 16},
         OnCommandLine{HelpGroup::kLightAndSurfaces, "--lights", "N",
-            "Point lights on a ring above a scene that has no lights of its own (default 3 with --room; {limits})"},
+            "Number of point lights on a ring above a scene without lights of its own (default 3 with --room; "
+            "{limits})"},
         InSceneFile{FileTable::kRender, 8, "lights"},
         InFilm{8, "lights"}},
     RenderSetting{&RenderSettings::background, &RenderChoices::background,
         BackgroundWord{},
         OnCommandLine{HelpGroup::kLightAndSurfaces, "--background", "COLOR",
-            "Plain background in place of sky, studio floor and highlight compression: {limits}; transparent writes "
-            "RGBA PNGs (default: none, and black for Gaussian captures alone, which then get no lamps either)"},
+            "Plain background: {limits}. It replaces the sky and the studio floor, and turns off the compression of "
+            "highlights; transparent writes RGBA PNGs (default: none; a scene of Gaussian captures only gets black, "
+            "and no lamps)"},
         InSceneFile{FileTable::kScene, 2, "background"},
         InFilm{16, "background", nullptr, true}},
     RenderSetting{&RenderSettings::shadows, &RenderChoices::shadows,
@@ -149,16 +153,16 @@ inline constexpr std::tuple kRenderSettings{
         InSceneFile{FileTable::kRender, 11, "blend"},
         InFilm{10, "blend"}},
     RenderSetting{&RenderSettings::splat_size, &RenderChoices::splat_size,
-        RealRange{0.05, 1}, // smaller ones are between the pixels of most pictures
+        RealRange{0.05, 1}, // smaller splats fall between the pixels of most pictures
         OnCommandLine{HelpGroup::kLightAndSurfaces, "--splat-size", "FACTOR",
-            "Draw splats with this share of their radii, to see single points (default {default}; {limits})"},
+            "Scale the radii of splats by FACTOR, to see single points (default {default}; {limits})"},
         InSceneFile{FileTable::kRender, 19, "splat_size"},
         InFilm{18, "splat_size", nullptr, true}},
     RenderSetting{&RenderSettings::relight, &RenderChoices::relight,
         OneOf{kSwitchNames},
         OnCommandLine{HelpGroup::kLightAndSurfaces, "--relight", "on|off",
-            "Light Gaussian captures as matte surfaces of their base colours, in place of the light that they have "
-            "captured (default {default})"},
+            "Light Gaussian captures by the scene, as matte surfaces of their base colours, instead of showing the "
+            "light that was captured (default {default})"},
         InSceneFile{FileTable::kRender, 18, "relight"},
         InFilm{17, "relight", nullptr, true}},
     RenderSetting{&RenderSettings::caustics, &RenderChoices::caustics,
@@ -170,14 +174,15 @@ inline constexpr std::tuple kRenderSettings{
     RenderSetting{&RenderSettings::reflectivity, &RenderChoices::reflectivity,
         RealRange{0, 1},
         OnCommandLine{HelpGroup::kLightAndSurfaces, "--reflectivity", "R",
-            "Reflectivity of scans without a material in the scene file, 0 matte to 1 mirror (default: each scan's own)"},
+            "Reflectivity of scans without a material in the scene file, from 0 (matte) to 1 (mirror) (default: each "
+            "scan's own)"},
         InSceneFile{FileTable::kRender, 12, "reflectivity"},
         InFilm{12, "reflectivity"}},
     RenderSetting{&RenderSettings::color_by, &RenderChoices::color_by,
         AttributeWord{},
         OnCommandLine{HelpGroup::kLightAndSurfaces, "--color-by", "NAME",
-            "Colour scans by {limits} (default {default}: the scan's colours; sites, interiors and surveys without colour by "
-            "height or intensity)"},
+            "Colour scans by {limits} (default {default}, the scan's own colours; scans of sites, interiors and "
+            "surveys without colours default to height or intensity)"},
         InSceneFile{FileTable::kRender, 13, "color_by"},
         InFilm{13, "color_by", nullptr, true}},
     RenderSetting{&RenderSettings::color_map, &RenderChoices::color_map,
@@ -189,8 +194,8 @@ inline constexpr std::tuple kRenderSettings{
     RenderSetting{&RenderSettings::color_range, &RenderChoices::color_range,
         RangeOfValues{},
         OnCommandLine{HelpGroup::kLightAndSurfaces, "--color-range", "LO,HI",
-            "Values at the ends of the colour map, {limits} (default: the whole range of small integers, else the 1st "
-            "to the 99th percentile)"},
+            "Values at the two ends of the colour map, {limits} (default: 1st to 99th percentile; for small integers "
+            "the whole range)"},
         InSceneFile{FileTable::kRender, 15, "color_range"},
         InFilm{15, "color_range", nullptr, true}},
     RenderSetting{&RenderSettings::legend, &RenderChoices::legend,

@@ -27,7 +27,7 @@ struct MaterialDescription {
     std::string name;
     MaterialKind kind = MaterialKind::kMatte;
     Color color{0.8f, 0.8f, 0.8f}; ///< reflectance; metal: at normal incidence; glass: transmittance of the surface
-    bool splat_color = false;      ///< multiply it by each splat's colour
+    bool splat_color = false;      ///< multiply color by each splat's colour
     float roughness = 0.3f;        ///< metal, plastic: 0 to 1
     float index = 1.5f;            ///< plastic, glass: 1 to 4
     float mirror_share = 0;        ///< matte: share of light reflected as by a mirror, 0 to 1
@@ -52,7 +52,8 @@ struct MaterialOverride {
     };
     std::variant<Row, ColorRange, SplatSelection> splats;
     std::uint32_t material = 0; ///< in SceneDescription::materials
-    std::string place;          ///< in the scene file, to start messages with: only the scan shows if it is valid
+    /// Place of the override in the scene file, to begin messages: only the scan shows whether it is valid.
+    std::string place;
     bool operator==(const MaterialOverride&) const = default;
 };
 
@@ -69,11 +70,11 @@ struct InstanceDescription {
     Placement placement;
     std::optional<std::uint32_t> material;   ///< for all splats, instead of the scan's materials
     std::vector<MaterialOverride> overrides; ///< later ones take precedence; at most 8 colour ranges
-    bool clipped = true;                     ///< cut by the scene's clips
-    bool visible = true;                     ///< false: no ray hits it
+    bool clipped = true;                     ///< whether the scene's clips cut it
+    bool visible = true;                     ///< false: rays ignore it
     bool deleted = false;                    ///< in the window: hidden, and left out of the scene file
     Layer layer{};
-    bool colored = true; ///< by RenderSettings::color_by; false: keeps its own colours
+    bool colored = true; ///< true: coloured by RenderSettings::color_by; false: keeps its own colours
     bool operator==(const InstanceDescription&) const = default;
 };
 
@@ -116,7 +117,7 @@ struct NamedView {
 struct AddedSurroundings {
     std::optional<Room> room;           ///< none: the studio, or the defaults of a scene with its own lights
     std::optional<std::uint32_t> lamps; ///< RenderSettings::lights
-    bool has_lights = false;            ///< all lights and the sky belong to it
+    bool has_lights = false;            ///< whether all lights and the sky belong to the surroundings
     bool operator==(const AddedSurroundings&) const = default;
 };
 
@@ -125,7 +126,7 @@ struct SunInTheSky {
     std::uint32_t light = 0; ///< in SceneDescription::lights, a SunLight
     SunPosition position;
     std::optional<Vec3> north; ///< unit vector; none: defaultNorth
-    std::string place;         ///< in the scene file, to start messages with
+    std::string place;         ///< of the sun in the scene file; begins messages
     bool operator==(const SunInTheSky&) const = default;
 };
 
@@ -135,13 +136,13 @@ struct SceneDescription {
     std::vector<MaterialDescription> materials;
     std::vector<InstanceDescription> instances; ///< at most 254
     std::vector<ClipDescription> clips;         ///< cut the instances
-    std::vector<FilterDescription> filters;     ///< hide splats of the instances, all that one of them hides
+    std::vector<FilterDescription> filters;     ///< each hides splats of the instances
     std::vector<MeasureDescription> measures;   ///< drawn over pictures
     std::vector<ShapeDescription> shapes;
     std::vector<LightDescription> lights;
     std::optional<SkyDescription> sky;
     std::optional<Vec3> up;        ///< unit vector, for rooms, sky and sun; none: taken from the scans
-    std::vector<SunInTheSky> suns; ///< only while up is none: to be placed with it
+    std::vector<SunInTheSky> suns; ///< only while up is unknown: to be placed once it is known
     CameraRequest camera;
     std::vector<NamedView> views;
     RenderChoices render;

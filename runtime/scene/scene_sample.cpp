@@ -8,7 +8,7 @@
 namespace pointrt {
 namespace {
 
-/// Shares to ignore at each end: an insignificant one, and the strays of the worst scans.
+/// Shares to ignore at each end: one that does not matter, and the strays of the worst scans.
 constexpr double kFew = 0.001, kManyStrays = 0.025;
 
 double quantile(std::vector<double>& values, double share) {

@@ -20,12 +20,12 @@ struct SampledSplat {
 struct SceneSample {
     std::vector<SampledSplat> splats; ///< each represents the same number of splats
     std::vector<Vec3> sensors;        ///< positions of scanners
-    std::vector<Vec3> zeros; ///< origins of the files' coordinates: in an unregistered scan the scanner is there
+    std::vector<Vec3> zeros;          ///< origins of the files' coordinates, where the scanner is in unregistered scans
     bool oriented = false;
     bool has_shapes = false; ///< the scene has shapes besides its scans
 };
 
-/// Scenes of fewer splats have no strays: every splat counts.
+/// Samples of fewer splats have no strays: every splat counts.
 constexpr std::size_t kEachCounts = 100;
 
 /// A range of numbers.
@@ -47,8 +47,8 @@ double brightReflectance(const SceneSample& sample);
 /// The mean luminance of reflectance; 0.5 for an empty sample.
 double meanReflectance(const SceneSample& sample);
 
-/// The lowest point along up (unit length) of the discs of a sample without its strays. None if up is along an axis,
-/// where the box tells as well, or the sample is empty.
+/// The lowest point along up (unit length) of the discs of a sample without its strays. None if up is along an axis, as
+/// the bounding box then gives it, or if the sample is empty.
 std::optional<double> lowestIfTilted(const SceneSample& sample, Vec3 up);
 
 /// An axis-aligned box.
@@ -63,8 +63,8 @@ SampleBox discBounds(const SceneSample& sample);
 SampleBox denseBox(const SceneSample& sample);
 
 /// The largest connected part, and other parts that are near or large: a part that holds 5% of the sample may enlarge
-/// the diagonal of the box by 100%, smaller parts by proportionally less. So the tip of a tree is kept, however few its
-/// splats, but not the sparse far surroundings in a street scan. Samples below kEachCounts are kept whole.
+/// the diagonal of the box by 100%, smaller parts by proportionally less. This keeps the tip of a tree, however few
+/// splats it has, but not the sparse far surroundings in a street scan. Samples below kEachCounts are kept whole.
 SceneSample withoutStrays(const SceneSample& sample);
 
 } // namespace pointrt

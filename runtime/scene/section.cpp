@@ -67,7 +67,7 @@ Vertical verticalOf(Vec3 up) {
     return {axis, nearest};
 }
 
-/// A point of the cut, and the direction in which the view looks, of unit length.
+/// A point of the cut, and the view direction, unit length.
 struct Cut {
     Vec3 point, forward;
 };

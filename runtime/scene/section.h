@@ -17,7 +17,7 @@ namespace pointrt {
 struct AxisSection {
     std::size_t axis = 0;  ///< 0, 1, 2: x, y, z
     double at = 0;         ///< world units
-    bool reversed = false; ///< seen from the other side, of which the other half is kept
+    bool reversed = false; ///< seen from the other side, keeping the other half
 };
 
 /// A vertical plane through two points of the plan, the first one left in the picture. Their coordinates are x and y if
@@ -26,10 +26,11 @@ struct LineSection {
     std::array<double, 2> from{}, to{};
 };
 
-/// A section as users give it; which way is up is known once the scene is loaded.
+/// A section as users give it; the up direction is known only once the scene is loaded.
 struct SectionRequest {
     std::variant<AxisSection, LineSection> plane;
-    std::optional<double> thickness; ///< of a slice, half on either side, above 0; none: all that is behind the plane
+    /// Thickness of a slice, half on either side, above 0; nullopt: keeps everything behind the plane.
+    std::optional<double> thickness;
 };
 
 /// "x=12.5", "-x=12.5", "z=1.2:0.5", "X0,Y0,X1,Y1" or "X0,Y0,X1,Y1:0.5". Throws std::invalid_argument with the reason

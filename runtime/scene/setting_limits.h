@@ -31,12 +31,12 @@ struct SizeRange {
     std::uint32_t longest;
 };
 
-/// A word for --color-by. Only the scans show whether it names an attribute.
+/// A word for --color-by. Whether it names an attribute depends on the scans.
 struct AttributeWord {
     using Value = std::string;
 };
 
-/// The lower number first.
+/// Two numbers, the lower first.
 struct RangeOfValues {
     using Value = ValueRange;
 };

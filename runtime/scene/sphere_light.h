@@ -16,7 +16,7 @@ struct SphereLight {
     double radius = 1;
     Color radiance;
     bool seen_by_camera = true;
-    bool visible = true; ///< false: it is off, and its surface is not there
+    bool visible = true; ///< false: the light is off, and its surface does not exist
     Layer layer{};
     bool operator==(const SphereLight&) const = default;
 

@@ -15,7 +15,7 @@ struct SpotLight {
     double outer_deg = 30;    ///< half angle of the cone, in (0, 90]
     double inner_deg = 25;    ///< full intensity within this half angle, at most outer_deg
     Color intensity;
-    bool visible = true; ///< false: it is off, and its surface is not there
+    bool visible = true; ///< false: the light is off, and its surface does not exist
     Layer layer{};
     bool operator==(const SpotLight&) const = default;
 

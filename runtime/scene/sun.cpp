@@ -11,7 +11,7 @@ namespace {
 double sine(double deg) { return std::sin(deg * kDegree); }
 double cosine(double deg) { return std::cos(deg * kDegree); }
 
-// Numbers below are the source's; angles in degrees, t in Julian centuries since noon of 2000-01-01.
+// The numbers below are from the source; angles in degrees, t in Julian centuries since noon of 2000-01-01.
 
 /// The sun's coordinates on a date.
 struct Almanac {
@@ -41,7 +41,7 @@ Almanac almanac(double t) {
     const double y = std::pow(std::tan(tilt / 2 * kDegree), 2);
     const double radians = y * sine(2 * l) - 2 * e * sine(m) + 4 * e * y * sine(m) * cosine(2 * l) -
                            0.5 * y * y * sine(4 * l) - 1.25 * e * e * sine(2 * m);
-    constexpr double minutes_per_degree = 4; // of the earth's rotation
+    constexpr double minutes_per_degree = 4; // the Earth's rotation
     return {std::asin(sine(tilt) * sine(apparentLongitude(t))) / kDegree, minutes_per_degree * radians / kDegree};
 }
 
@@ -77,7 +77,7 @@ double refraction(double elevation_deg) {
 
 Vec3 defaultNorth(Vec3 up) {
     const Vec3 minus_z{0, 0, -1}, plus_y{0, 1, 0};
-    // within 8 degrees of up, -Z has too little horizontal direction
+    // within 8 degrees of up, the horizontal part of -Z is too short
     const Vec3 north = std::abs(dot(minus_z, up)) > 0.99 ? plus_y : minus_z;
     return normalize(north - up * dot(north, up));
 }

@@ -13,8 +13,8 @@ namespace pointrt {
 struct SunLight {
     Vec3 towards;               ///< unit vector to the sun
     double radius_deg = 0.2665; ///< angular radius of its disc, 0 to 45; 0 gives hard shadows
-    Color irradiance;           ///< on a surface that faces the sun
-    bool visible = true;        ///< false: it is off, and its surface is not there
+    Color irradiance;           ///< irradiance on a surface that faces the sun
+    bool visible = true;        ///< false: the light is off, and its surface does not exist
     Layer layer{};
     bool operator==(const SunLight&) const = default;
 

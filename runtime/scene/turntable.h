@@ -21,7 +21,7 @@ struct TurntableAxis {
 /// bit-identical to camera. frame < frames.
 Camera turntableCamera(const Camera& camera, const TurntableAxis& axis, std::uint32_t frame, std::uint32_t frames);
 
-/// Checks that path has exactly one %d or %0Nd (N from 1 to 9) if option, such as "--turntable", asks for several
+/// Checks that path has exactly one %d or %0Nd (N from 1 to 9) if option, such as "--turntable", requests several
 /// pictures, and none if option is null. Throws Error kBadUsage "PATH: reason".
 void requireFrameNames(const std::string& path, const char* option);
 

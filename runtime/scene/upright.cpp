@@ -8,8 +8,8 @@
 namespace pointrt {
 namespace {
 
-/// Sine of the angle between north and up below which north has no horizontal direction; also the shortest length that
-/// scene files accept.
+/// Sine of the angle between north and up below which north has no usable horizontal part; also the shortest length
+/// that scene files accept.
 constexpr double kNorthParallelSine = 1e-9;
 
 void placeSuns(SceneDescription& scene, Vec3 up) {

@@ -25,7 +25,7 @@ struct UpRequest {
 };
 
 /// Sets scene.up if it is not set, places scene.suns, and makes cameras without an up look at the scene's front. If the
-/// scans do not know their up, cameras stay unchanged. Throws Error kBadInput if a sun's north is along up.
+/// scans' up is unknown, cameras stay unchanged. Throws Error kBadInput if a sun's north is along up.
 void resolveUp(SceneDescription& scene, CameraRequest& camera, CameraRequest& staging, const UpRequest& request);
 
 } // namespace pointrt

@@ -121,7 +121,7 @@ Panel panelFrom(const SceneSample& sample, Vec3 eye, const ViewBasis& basis, dou
 
 bool isVisible(const Panel& panel, std::size_t splat) {
     const auto [cell, depth] = panel.placed[splat];
-    return cell != kOutside && depth <= 1.25 * panel.depths[cell]; // oblique and noisy walls
+    return cell != kOutside && depth <= 1.25 * panel.depths[cell]; // a margin for oblique and noisy walls
 }
 
 double medianOf(std::vector<double>& values) {
@@ -172,7 +172,8 @@ Surrounding surroundingOf(const SceneSample& sample, Vec3 eye, Vec3 up) {
         all.insert(all.end(), depths.begin(), depths.end());
         if (dot(forward, up) < 0.5) continue;
         surrounding.above = covered;
-        // half of a square of 90 degrees is within tan^2 = 2 / pi of its axis: sqrt(1 + 2 / pi) heights of a ceiling
+        // half of the directions in a square of 90 degrees are within tan^2 = 2 / pi of its axis; so the median
+        // distance to a ceiling is sqrt(1 + 2 / pi) times its height
         surrounding.headroom = medianOf(depths) / std::sqrt(1 + 2 / std::numbers::pi);
     }
     surrounding.distance = medianOf(all);
@@ -180,7 +181,7 @@ Surrounding surroundingOf(const SceneSample& sample, Vec3 eye, Vec3 up) {
 }
 
 bool isEnclosed(const Surrounding& surrounding) {
-    // a third of a ceiling or of all sides lets enough of the lamps' light in, a window or a door does not
+    // openings in a third of the ceiling or of all sides let enough of the lamps' light in; a window or a door does not
     return surrounding.above >= 2.0 / 3 && surrounding.covered >= 2.0 / 3;
 }
 

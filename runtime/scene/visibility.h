@@ -12,7 +12,7 @@ namespace pointrt {
 
 struct Visibility {
     double covered = 0;              ///< share of the picture that the scan covers
-    double facing = 0;               ///< share of the picture where the front of a surface is visible
+    double facing = 0;               ///< share of the picture that shows the front of a surface
     std::vector<std::uint32_t> seen; ///< visible splats of the sample
 };
 
@@ -28,13 +28,13 @@ double visibleWeight(const SceneSample& sample, const std::vector<double>& weigh
 /// The splats visible from eye in a square picture.
 SceneSample visibleFrom(const SceneSample& sample, Vec3 eye, const ViewBasis& basis, double fov_deg);
 
-/// What surrounds a place.
+/// The surfaces around a place.
 struct Surrounding {
     double covered = 0;  ///< share of all directions that meet a disc
     double level = 0;    ///< the same for directions within 16 degrees of level
     double above = 0;    ///< the same for directions within 45 degrees of up, about a cube's upper face
     double headroom = 0; ///< height of the ceiling above the eye; 0: no ceiling
-    double distance = 0; ///< median distance in all directions with a disc
+    double distance = 0; ///< median distance over all directions that hit a disc
 };
 
 /// up: unit length

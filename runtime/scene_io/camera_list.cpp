@@ -23,7 +23,7 @@ bool isThere(const fs::path& path) {
 
 struct CameraFileKind {
     const char* images;  ///< the file that lists the pictures
-    const char* cameras; ///< a second file beside it with the lenses; null: none
+    const char* cameras; ///< a second file beside it that lists the lenses; null: none
     std::vector<CameraShot> (*read)(const std::string& images, const std::string& cameras,
                                     const CameraFileRequest& request);
 };

@@ -12,7 +12,7 @@ namespace pointrt {
 
 struct CameraShot {
     std::string name;  ///< of the picture in the list, such as "images/0001.jpg"
-    std::string place; ///< in the list, to start messages with: "FILE:LINE: " or "FILE: frame 3: "
+    std::string place; ///< of the shot in the list, begins messages: "FILE:LINE: " or "FILE: frame 3: "
     PixelSize size;
     PinholeLens lens;
     CameraPose pose;

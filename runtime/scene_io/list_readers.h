@@ -6,7 +6,7 @@
 
 namespace pointrt {
 
-/// none: unused, there is no second file.
+/// none: unused, as there is no second file.
 std::vector<CameraShot> readTransforms(const std::string& path, const std::string& none,
                                        const CameraFileRequest& request);
 std::vector<CameraShot> readColmapBinary(const std::string& images, const std::string& cameras,

@@ -42,7 +42,7 @@ Matrix turnOf(const SceneValue& table) {
     requireTable(table);
     requireKnownKeys(table, "a rotation", {"axis", "degrees", "matrix"});
     if (const auto matrix = find(table, "matrix")) {
-        forbid(table, {"axis", "degrees"}, "excludes \"matrix\"");
+        forbid(table, {"axis", "degrees"}, "cannot be combined with \"matrix\"");
         return matrixOf(*matrix);
     }
     return turn(directionOf(require(table, "axis")), numberOf(require(table, "degrees"), kCoordinates));
@@ -87,7 +87,7 @@ std::vector<ValueRange> numbersOf(const SceneValue& value) {
 /// The key that selects the splats of an override; refuses several.
 SceneValue chosenKeyOf(const SceneValue& table) {
     if (const auto attribute = find(table, "attribute")) {
-        forbid(table, {"row", "colors"}, "excludes \"attribute\"");
+        forbid(table, {"row", "colors"}, "cannot be combined with \"attribute\"");
         return *attribute;
     }
     forbid(table, {"values", "range"}, "has no effect without \"attribute\"");

@@ -11,7 +11,7 @@
 namespace pointrt {
 namespace {
 
-/// The strength of a light under key: a number, multiplied by "color", or a colour.
+/// The strength of a light, read from key: a number, multiplied by "color", or a colour.
 Color strengthOf(const SceneValue& table, std::string_view key) {
     const SceneValue strength = require(table, key);
     const auto color = find(table, "color");
@@ -21,7 +21,7 @@ Color strengthOf(const SceneValue& table, std::string_view key) {
     return colorOf(strength, kLightValues);
 }
 
-/// The same, or from "power" in watts, multiplied by "color". watts_of_one: the power of a light of strength 1.
+/// The same; alternatively from "power" in watts, multiplied by "color". watts_of_one: power of a light of strength 1.
 Color strengthOrPower(const SceneValue& table, std::string_view key, double watts_of_one) {
     if (hasFirst(table, key, "power")) return strengthOf(table, key);
     Color color{1, 1, 1};

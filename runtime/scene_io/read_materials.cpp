@@ -46,7 +46,7 @@ void readTint(const SceneValue& table, MaterialDescription& material) {
         forbid(table, {"absorption", "tint", "tint_distance"}, "a thin pane has no inside that absorbs; use \"color\"");
     const auto tint = find(table, "tint");
     if (!tint) return forbid(table, {"tint_distance"}, "has no effect without \"tint\"");
-    forbid(table, {"absorption"}, "excludes \"tint\"");
+    forbid(table, {"absorption"}, "cannot be combined with \"tint\"");
     material.absorption = absorptionOfTint(table, *tint);
 }
 

@@ -14,7 +14,7 @@ namespace pointrt {
 struct SceneReading {
     SceneDescription scene; ///< path and up are read before the sections, materials before the users of materials
     std::map<std::string, std::uint32_t, std::less<>> material_of_name;
-    std::set<std::uint32_t> uncolored_materials; ///< which only have the splats' colours
+    std::set<std::uint32_t> uncolored_materials; ///< materials that have only the splats' colours
 };
 
 /// Keys of the render settings in a table of the file, in the order of messages.

@@ -37,7 +37,7 @@ void readQuad(const SceneValue& table, ShapeDescription& shape) {
 /// Half of each edge length.
 Vec3 halfSizeOf(const SceneValue& table, ShapeDescription& shape) {
     if (find(table, "center")) {
-        forbid(table, {"min", "max"}, "excludes \"center\"");
+        forbid(table, {"min", "max"}, "cannot be combined with \"center\"");
         shape.center = vectorOf(require(table, "center"));
         return vectorOf(require(table, "size"), kLengths) * 0.5;
     }
@@ -69,10 +69,11 @@ void readSphere(const SceneValue& table, ShapeDescription& shape) {
 
 bool areAlike(double a, double b) { return std::abs(a - b) <= kAxesError * std::max(a, b); }
 
-/// Reads u, v and w unchanged, if they suit the shape (scene_description.h): orthogonal and right-handed; plane, disc
-/// and quad: w has unit length; plane and disc: u and v have equal length; sphere: all three have.
+/// Reads u, v and w unchanged, if they suit the shape (scene_description.h): orthogonal and right-handed; for planes,
+/// discs and quads, w has unit length; for planes and discs, u and v have equal length; for spheres, all three have.
 void readAxes(const SceneValue& table, const SceneValue& axes, ShapeDescription& shape) {
-    forbid(table, {"point", "normal", "radius", "u", "v", "min", "max", "size", "rotate"}, "excludes \"axes\"");
+    forbid(table, {"point", "normal", "radius", "u", "v", "min", "max", "size", "rotate"},
+           "cannot be combined with \"axes\"");
     shape.center = vectorOf(require(table, "center"));
     const std::array<Vec3, 3> rows = rowsOf(axes);
     shape.u = rows[0];

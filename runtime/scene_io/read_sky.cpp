@@ -6,7 +6,7 @@ namespace pointrt {
 namespace {
 
 void readImage(const SceneValue& table, const SceneReading& reading, SkyDescription& sky) {
-    forbid(table, {"color", "zenith", "horizon", "ground"}, "excludes \"image\"");
+    forbid(table, {"color", "zenith", "horizon", "ground"}, "cannot be combined with \"image\"");
     const SceneValue image = require(table, "image");
     if (reading.scene.lights.size() == MAX_LIGHTS) refuse(image, "is a light, and there are 32 already");
     sky.image = fileOf(image, reading);
@@ -17,7 +17,7 @@ void readImage(const SceneValue& table, const SceneReading& reading, SkyDescript
 void readColors(const SceneValue& table, SkyDescription& sky) {
     forbid(table, {"rotation"}, "has no effect without \"image\"");
     if (find(table, "color")) {
-        forbid(table, {"zenith", "horizon", "ground"}, "excludes \"color\"");
+        forbid(table, {"zenith", "horizon", "ground"}, "cannot be combined with \"color\"");
         takeColor(table, "color", kLightValues, sky.zenith);
         sky.horizon = sky.ground = sky.zenith;
         return;

@@ -31,7 +31,8 @@ std::string readText(const std::string& path) {
 
 /// Reads a height, or "fit" for the whole scene.
 void takeOrtho(const SceneValue& table, const SceneValue& ortho, CameraRequest& camera) {
-    if (find(table, "fov")) refuse(ortho, "excludes \"fov\": a parallel projection has no field of view");
+    if (find(table, "fov"))
+        refuse(ortho, "cannot be combined with \"fov\": a parallel projection has no field of view");
     camera.ortho = true;
     if (ortho.node->is_number())
         camera.ortho_height = numberOf(ortho, kLengths);
@@ -47,7 +48,7 @@ CameraRequest cameraOf(const SceneValue& table, const SceneDescription& scene) {
     if (const auto eye = find(table, "eye")) camera.eye = vectorOf(*eye);
     if (const auto target = find(table, "target")) camera.target = vectorOf(*target);
     if (const auto up = find(table, "up")) camera.up = directionOf(*up);
-    // as wide as frameCamera takes it
+    // the same limits as in frameCamera
     takeNumber(table, "fov", {0.001, 179.999}, camera.fov_deg);
     if (const auto ortho = find(table, "ortho")) takeOrtho(table, *ortho, camera);
     if (camera.eye && camera.target && !(length(*camera.target - *camera.eye) > 0))
@@ -156,7 +157,7 @@ void takeLayer(const SceneValue& table, Layer& layer) {
 }
 
 std::string fileOf(const SceneValue& value, const SceneReading& reading) {
-    constexpr std::size_t kLongestPath = 4096; // of Linux: the end is what tells files apart
+    constexpr std::size_t kLongestPath = 4096; // limit of Linux; the end of a path distinguishes files
     const std::string name = textOf(value);
     const std::filesystem::path path = std::filesystem::path(reading.scene.path).parent_path() / name;
     std::error_code error;

@@ -16,7 +16,7 @@ constexpr std::size_t kMaxSceneBytes = std::size_t{1} << 20;
 /// True if path ends in .toml.
 bool isSceneFile(const std::string& path);
 
-/// True if path is a scene file or a tile set: all that can be opened but a .pro.
+/// True if path is a scene file or a tile set, the scenes other than a .pro.
 bool isSceneOrSet(const std::string& path);
 
 /// Reads the scene file at path, at most 1 MiB. Files named in it are relative to its folder, and must exist. Throws
@@ -24,7 +24,7 @@ bool isSceneOrSet(const std::string& path);
 /// the line if the file cannot be read. Lists count from 0.
 SceneDescription readSceneFile(const std::string& path);
 
-/// The same for text; path is used for messages and to find the files that it names.
+/// The same for the text of a file; path is for messages and to find the files that it names.
 SceneDescription parseScene(std::string_view text, const std::string& path);
 
 } // namespace pointrt

@@ -16,7 +16,7 @@ namespace {
 using Parts = std::vector<std::string>;
 
 constexpr std::array kSuffixes = {".png", ".jpg", ".jpeg", ".exr", ".tif", ".tiff", ".bmp", ".webp", ".hdr"};
-/// The file system's limit for names, less the length of our suffixes and of those of temporary files.
+/// The file system's limit for names, minus the length of our suffixes and those of temporary files.
 constexpr std::size_t kMaxBytes = 200;
 
 std::string withoutSuffix(const std::string& name) {

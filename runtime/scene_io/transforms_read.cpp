@@ -28,7 +28,7 @@ constexpr double kRotationError = 1e-3;
 
 [[noreturn]] void refuse(const std::string& reason) { throw std::invalid_argument(reason); }
 
-/// Values of a frame, or if it has none, of the file.
+/// Looks up values in a frame, or in the file if the frame does not have them.
 class FrameValues {
 public:
     FrameValues(const Json& file, const Json& frame) : file_(file), frame_(frame) {}
@@ -104,7 +104,7 @@ PixelSize sizeOf(const FrameValues& values, const CameraFileRequest& request) {
     return *request.size;
 }
 
-/// The focal length in pixels from the key length, or from angle, the field of view of a side.
+/// The focal length in pixels: from key length, or from key angle, which is the field of view along a side.
 std::optional<double> focalLength(const FrameValues& values, const char* length, const char* angle,
                                   std::uint32_t side) {
     if (const auto pixels = values.number(length)) return pixels;

@@ -10,7 +10,7 @@
 namespace pointrt {
 namespace {
 
-using OrderedJson = nlohmann::ordered_json; // few keys, in a readable order
+using OrderedJson = nlohmann::ordered_json; // keeps the few keys in a readable order
 
 /// At this magnitude neighbouring floats are 2^-10 apart.
 constexpr double kCoarseFloats = 1 << 13;
@@ -52,7 +52,7 @@ OrderedJson frameOf(const RenderedShot& rendered, Vec3 offset, bool with_lens) {
 
 void writeTransforms(const std::string& path, const TransformsFile& file) {
     OrderedJson json = OrderedJson::object();
-    json["camera_model"] = "OPENCV"; // with coefficients of 0: a pinhole
+    json["camera_model"] = "OPENCV"; // its distortion coefficients of 0 make it a pinhole
     const bool alike = areAlike(file.shots);
     if (alike && !file.shots.empty()) putLens(file.shots.front().shot, json);
     if (file.depth_unit > 0) json["depth_unit_scale_factor"] = file.depth_unit;

@@ -64,7 +64,7 @@ toml::table parseToml(std::string_view text, const std::string& file) {
     } catch (const toml::parse_error& error) {
         throw Error{ExitCode::kBadInput,
                     place(file, error.source()) + printable(error.description(), std::string::npos)};
-    } catch (const std::logic_error& error) { // toml_defined.h
+    } catch (const std::logic_error& error) { // see toml_defined.h
         throw Error{ExitCode::kBadInput, file + ": " + error.what()};
     }
 }
@@ -82,7 +82,7 @@ SceneValue require(const SceneValue& table, std::string_view key) {
 
 bool hasFirst(const SceneValue& table, std::string_view first, std::string_view second) {
     const auto a = find(table, first), b = find(table, second);
-    if (a && b) refuse(*b, "excludes \"" + std::string(first) + "\"");
+    if (a && b) refuse(*b, "cannot be combined with \"" + std::string(first) + "\"");
     if (!a && !b) refuse(table, "\"" + std::string(first) + "\" or \"" + std::string(second) + "\" is missing");
     return a.has_value();
 }

@@ -55,7 +55,7 @@ std::optional<SceneValue> find(const SceneValue& table, std::string_view key);
 SceneValue require(const SceneValue& table, std::string_view key);
 /// True if the first of two keys is present; refuses both and neither.
 bool hasFirst(const SceneValue& table, std::string_view first, std::string_view second);
-/// Refuses other keys than known. owner: of the keys, for the message, such as "a metal".
+/// Refuses keys other than known. owner: what the keys belong to, for the message, such as "a metal".
 void requireKnownKeys(const SceneValue& table, const std::string& owner, const std::vector<std::string_view>& known);
 
 /// Refuses the first of keys that is present.

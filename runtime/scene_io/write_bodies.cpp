@@ -44,7 +44,7 @@ void writeInstance(SceneWriting& writing, const InstanceDescription& instance) {
     for (const MaterialOverride& over : instance.overrides) writeOverride(writing, over);
 }
 
-/// The radius from which the reader makes exactly the shape's u and v, if there is one: length(u) differs from it by
+/// The radius from which the reader computes exactly the shape's u and v, if there is one: length(u) differs from it by
 /// rounding only.
 std::optional<double> radiusOfFlat(const ShapeDescription& shape) {
     constexpr int nearby = 8;
@@ -81,7 +81,7 @@ bool putDisc(SceneWriting& writing, const ShapeDescription& shape) {
 bool putQuad(SceneWriting& writing, const ShapeDescription& shape) {
     const Vec3 u = normalize(shape.u), v = normalize(shape.v);
     if (shape.w != cross(u, v) || !isNear(2 * dot(u, v), 0))
-        return false; // twice the cosine: surely near for the reader too
+        return false; // twice the cosine, so that the reader surely takes it as near too
     put(writing, "center", tomlOf(shape.center));
     put(writing, "u", tomlOf(shape.u));
     put(writing, "v", tomlOf(shape.v));

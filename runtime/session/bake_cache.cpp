@@ -18,10 +18,11 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// How often a process that waits for another one's bake looks.
+/// How often a process polls while another one runs the same bake.
 constexpr std::chrono::milliseconds kLockPoll{50};
 
-/// Keeps other processes from baking the same meanwhile. Only a courtesy: without it they would write the same file.
+/// Keeps other processes from running the same bake meanwhile. It is only a courtesy: without it, they would write the
+/// same file.
 class BakeLock {
 public:
     explicit BakeLock(const std::string& path) { lock_.openFile(path); }
@@ -33,7 +34,7 @@ public:
 
     /// False if another process has the lock.
     bool tryLock() {
-        if (!lock_.isOpen()) return true; // the bake will say why nothing can be written
+        if (!lock_.isOpen()) return true; // the bake will report why nothing can be written
         const format::LockResult result = lock_.take();
         locked_ = result == format::LockResult::kLocked;
         return result != format::LockResult::kTaken;
@@ -81,7 +82,7 @@ bool parseProgress(const std::string& line, const BakeMonitor& monitor) {
     return true;
 }
 
-/// The last line of a bake, which starts with its output, would only name a file of the cache.
+/// Whether a line is the last one of a bake: it names its output, a file of the cache, which users need not know.
 bool isRemark(const std::string& line) {
     const std::string name = std::string(kBakeTool) + ": ";
     return line.starts_with(name) && !line.starts_with(name + "error: ");

@@ -18,7 +18,7 @@ constexpr std::uint64_t kBakeCacheBytes = std::uint64_t{20} << 30;
 /// "off". Throws Error kBadUsage if it is neither.
 FileCache userBakeCache();
 
-/// How a bake is watched. All functions are called on the thread that bakes; any but progress may be empty.
+/// Callbacks that watch a bake. All are called on the thread that bakes; any but progress may be empty.
 struct BakeMonitor {
     std::function<bool()> cancelled;
     std::function<void(double share, const std::string& stage)> progress;
@@ -26,7 +26,7 @@ struct BakeMonitor {
 };
 
 /// The path of the baked scans: from the cache, or baked into it by a child process. While another process bakes the
-/// same, waits for it. The least recently used bakes are deleted when the cache grows too large, never this one. ""
+/// same, waits for it. If the cache grows too large, the least recently used bakes are deleted, but never this one. ""
 /// if cancelled. Throws Error with the reason of pointrt-bake, or kCannotWrite without a cache folder.
 /// @param tool path of pointrt-bake
 std::string bakeCached(const FileCache& cache, const ScanBake& bake, const std::string& tool,

@@ -25,7 +25,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Change it when bakes of an earlier program must not be used.
+/// Change it if bakes by earlier programs must not be used any more.
 constexpr std::uint64_t kKeyVersion = 1;
 
 /// As deep as pointrt-bake searches folders.
@@ -63,7 +63,7 @@ public:
         addNumber(size);
     }
 
-    /// What changes when a file does, without reading it.
+    /// Adds properties that change when a file does, without reading it.
     void addStamp(const fs::path& path) {
         std::error_code unknown;
         addNumber(fs::file_size(path, unknown));
@@ -94,7 +94,7 @@ std::string lowerSuffix(const fs::path& path) {
     return suffix;
 }
 
-/// Written by pointrt itself, beside scans or anywhere else.
+/// Whether a file was written by pointrt itself, beside scans or anywhere else.
 bool isOurs(const fs::path& path) {
     const std::string suffix = lowerSuffix(path);
     return suffix == ".pro" || suffix == ".proset" || suffix == ".toml" || suffix == ".exr";
@@ -114,9 +114,9 @@ void listFiles(const fs::path& folder, int depth, std::vector<fs::path>& files) 
     std::sort(files.begin(), files.end());
 }
 
-/// Textures and comments of a PLY name images, nothing else does.
+/// Whether the texts of a PLY may name textures: only "comment TextureFile" lines refer to files.
 bool namesTextures(const std::string& path) {
-    constexpr std::size_t kHeader = 4096; // comments stand among the first lines
+    constexpr std::size_t kHeader = 4096; // comments are in the first lines
     std::string header(kHeader, '\0');
     const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(path.c_str(), "rb"), std::fclose);
     if (file) header.resize(std::fread(header.data(), 1, header.size(), file.get()));
@@ -159,9 +159,9 @@ void addScan(Hash& hash, const std::string& scan) {
     }
 }
 
-/// Sizes of the scans' files, with those that they may refer to.
+/// Total sizes of the scans' files and of those that they may refer to.
 struct ScanBytes {
-    double packed = 0; ///< in LAZ files
+    double packed = 0; ///< bytes in LAZ files
     double others = 0;
 };
 
@@ -193,11 +193,11 @@ void addOption(Hash& hash, const std::string& option) {
 } // namespace
 
 std::optional<ScanBake> quickBake(const ScanBake& bake) {
-    constexpr double kSmall = 256 << 10; // 50,000 points in LAZ
+    constexpr double kSmall = 256 << 10; // about 50,000 points in LAZ
     // bytes per point: 5 in LAZ, 34 in LAS, 12 to 40 in text
     constexpr double kBytesPerPackedPoint = 5, kBytesPerPoint = 10;
     constexpr double kPoints = 50'000, kFewest = 10;
-    constexpr double kUnpacked = 2e6; // in half a second, on two cores
+    constexpr double kUnpacked = 2e6; // bytes read in half a second, on two cores
     const ScanBytes bytes = scanBytes(bake.scans);
     if (bytes.packed + bytes.others < kSmall) return std::nullopt;
     const double packed = bytes.packed / kBytesPerPackedPoint;

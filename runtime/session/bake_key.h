@@ -15,8 +15,8 @@ struct ScanBake {
     std::vector<std::string> options; ///< of pointrt-bake
 };
 
-/// A bake of every n-th point, without cleaning and pruning, that takes about a tenth of the time. None for scans so
-/// small that their full bake takes about a second.
+/// The options of a quick bake: every n-th point, without cleaning and pruning, in about a tenth of the time. None for
+/// scans so small that their full bake takes about a second.
 std::optional<ScanBake> quickBake(const ScanBake& bake);
 
 /// 32 hexadecimal digits that depend on the names and contents of the scans, on the options and files that these name,

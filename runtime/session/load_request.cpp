@@ -9,7 +9,7 @@
 namespace pointrt {
 namespace {
 
-/// Whether a picture is left to us: a PNG of a scan, for which nothing says how to light, shade or sample it.
+/// Whether the picture's look is left to the viewer: a PNG of a scan, without options for light, shading or samples.
 bool leavesIntegrator(const Options& options) {
     const RenderChoices& said = options.choices;
     const bool is_picture = writesToneMapped(options) && options.thumbnail == 0 && options.bench_frames == 0;
@@ -20,7 +20,7 @@ bool leavesIntegrator(const Options& options) {
     return is_picture && !isSceneFile(options.scene) && !is_limited && !is_sampled && !is_lit && !is_shaded;
 }
 
-/// Whether the camera looks at the section: no option places it elsewhere.
+/// Whether the camera looks at the section because no option places it elsewhere.
 bool facesSection(const Options& options) {
     return options.section && !options.camera.eye && !options.camera.target && options.view.empty() &&
            !options.panorama;
@@ -49,7 +49,7 @@ LoadRequest loadRequest(const Options& options, SceneDescription scene) {
     request.faces_section = facesSection(options);
     if (request.faces_section) request.settings.camera = request.staging = sectionCamera(options);
     request.fov_is_free = !options.fov_deg && request.settings.camera.fov_deg == CameraRequest{}.fov_deg;
-    // scene files and other options say how scans look
+    // scene files and other options decide how scans look
     const RenderChoices& said = options.choices;
     request.chooses_colors = !isSceneFile(options.scene) && !said.color_by && !said.reflectivity;
     request.chooses_integrator = leavesIntegrator(options);

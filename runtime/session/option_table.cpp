@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::uint32_t kMaxBenchFrames = 100000;
 constexpr std::uint32_t kMaxThumbnail = 1024; // the largest size that file managers request
-constexpr std::uint32_t kMaxFps = 240;        // of the fastest screens
+constexpr std::uint32_t kMaxFps = 240;        // for the fastest screens
 constexpr double kMaxSeconds = 1e7;           // 116 days
 constexpr double kMaxHeight = 1e12;           // the limit of lengths in scene files
 
@@ -79,7 +79,7 @@ void setDevice(Options& options, const std::string& text) {
 
 void setMoving(Options& options, const std::string& text, bool follows_views) {
     if (options.turntable != 0 && options.follows_views != follows_views)
-        throw std::invalid_argument("--turntable and --path exclude each other");
+        throw std::invalid_argument("--turntable and --path cannot be combined");
     options.turntable = parseCount(text, 1, kMaxTurntable);
     options.follows_views = follows_views;
 }
@@ -92,16 +92,17 @@ OptionGroup imageOptions() {
           "overwriting an existing file; - writes a PNG to standard output; for moving cameras see --turntable",
           [](Options& o, const std::string& text) { o.output = text; }, ".png .tif .exr"},
          {"--turntable", "N",
-          "Render N pictures from a camera that circles the target once, to -o frames/%04d.png, or with ffmpeg as a "
-          "video to -o FILE.mp4 or FILE.webm (default: off; 1 to " +
+          "Move the camera once around the target and render N pictures: -o frames/%04d.png writes PNGs, -o FILE.mp4 "
+          "or FILE.webm a video, which needs ffmpeg (default: off; 1 to " +
               std::to_string(kMaxTurntable) + ")",
           [](Options& o, const std::string& text) { setMoving(o, text, false); }},
          {"--path", "N",
-          "Render N pictures from a camera that moves smoothly through the views of the scene file, in their order, "
-          "from the first to the last, to -o frames/%04d.png, or as a video (default: off; 1 to " +
+          "Move the camera smoothly from the first view of the scene file through the others to the last and render N "
+          "pictures; -o as for --turntable (default: off; 1 to " +
               std::to_string(kMaxTurntable) + ")",
           [](Options& o, const std::string& text) { setMoving(o, text, true); }},
-         {"--fps", "N", "Pictures per second of a video (default 25; 1 to " + std::to_string(kMaxFps) + ")",
+         {"--fps", "N",
+          "Frame rate of a video, in pictures per second (default 25; 1 to " + std::to_string(kMaxFps) + ")",
           [](Options& o, const std::string& text) { o.fps = parseCount(text, 1, kMaxFps); }},
          {"--thumbnail", "N",
           "Render a PNG of N x N pixels in about a second, for file managers; -o FILE may have any suffix (default: "
@@ -133,7 +134,7 @@ OptionGroup cameraOptions() {
     return {
         "Camera (in the coordinates of the scan)",
         {{"--view", "NAME",
-          "Use a view that the scene file names, or a standard view: " + joinedNames(kStandardViewNames, ", ") +
+          "Start from a named view of the scene file or a standard view: " + joinedNames(kStandardViewNames, ", ") +
               "; the options below override it (default: the scene file's camera)",
           [](Options& o, const std::string& text) { o.view = text; }, joinedNames(kStandardViewNames, " ")},
          {"--eye", "X,Y,Z", "Camera position (default: framed automatically; at the scanner if there was only one)",
@@ -152,18 +153,18 @@ OptionGroup cameraOptions() {
           "Use a parallel projection HEIGHT scene units high; fit shows the whole scene (default: off; not with --fov)",
           [](Options& o, const std::string& text) { setOrtho(o.camera, text); }},
          {.names = "--panorama",
-          .help = "Render a panorama of 360 degrees, equirectangular and twice as wide as high (default: off; --size "
-                  "2048x1024), level, from --eye or else from the scanner's position or the middle of a room; viewers "
-                  "know a PNG by its metadata",
+          .help = "Render a level, equirectangular 360-degree panorama, twice as wide as high, from --eye, else from "
+                  "the scanner's position, else from the middle of the room. The default --size is then 2048x1024. "
+                  "PNGs get the metadata by which panorama viewers recognise them (default: off)",
           .flag = &Options::panorama},
          {"--stereo", "METRES",
-          "With --panorama: two eyes so far apart, such as 0.063; the left eye's picture is above the right eye's, and "
-          "the whole is square (default: off)",
+          "With --panorama: render a square picture for stereo viewing, with the left eye's panorama above the right "
+          "eye's; METRES is the distance between the eyes, e.g. 0.063 (default: off)",
           [](Options& o, const std::string& text) { o.camera.eyes_apart_m = parseRealAbove(text, 0, kMaxEyesApart); }},
          {"--plan", "SIZE",
-          "Render a plan in true scale: from above, SIZE scene units a pixel, over the whole scan, or --size pixels "
-          "around --target. FILE.png gets a world file FILE.pgw, FILE.tif is a GeoTIFF; transparent where nothing is "
-          "seen, unless --background (default: off)",
+          "Render a plan to scale: the scan seen from above, at SIZE scene units per pixel. It shows the whole scan, "
+          "or --size pixels around --target. FILE.png gets a world file FILE.pgw; FILE.tif is a GeoTIFF. Pixels "
+          "without a surface are transparent unless --background is given (default: off)",
           [](Options& o, const std::string& text) { o.plan = parseRealAbove(text, 0, kMaxHeight); }}},
         {}};
 }
@@ -173,38 +174,36 @@ OptionGroup clipOptions() {
         "Clips and sections (in the coordinates of the scan)",
         {{"--clip",
           "MINX,MINY,MINZ,MAXX,MAXY,MAXZ",
-          "Show only what is inside this box of scans and Gaussians, for all rays; shapes, lights and rooms stay "
-          "whole. "
-          "With several boxes, what is inside all of them; a scene file's [[clip]] adds planes and turned boxes "
-          "(default: "
-          "everything)",
+          "Show only the parts of scans and Gaussian captures inside this box; what is outside casts no shadow either. "
+          "Shapes, lights and rooms are not clipped. Several boxes: show what is inside all of them. For planes and "
+          "rotated boxes see [[clip]] of scene files (default: no clipping)",
           [](Options& o, const std::string& text) { o.clips.push_back(clipBox(parseBox(text))); },
           {},
           nullptr,
           true},
          {"--only",
           "NAME=VALUES",
-          "Show only the points of scans whose attribute has these values, for all rays: class=2,6 or height=10:25 "
-          "(from and to), with the names of --color-by. With several, what all of them show; scans without the "
-          "attribute stay whole (default: everything)",
+          "Show only points whose attribute has one of these values, e.g. class=2,6, or lies in this range, e.g. "
+          "height=10:25; hidden points cast no shadow either. NAME is as for --color-by. Several filters: show points "
+          "that match all of them. Scans without the attribute are shown in full (default: no filter)",
           [](Options& o, const std::string& text) { o.filters.push_back(parseFilter(text)); },
           {},
           nullptr,
           true},
          {"--hide",
           "NAME",
-          "Hide a scan, shape, light or clip by its name in the scene file, or by the scan's file name, or as in "
-          "'light 2' (default: only those with visible = false)",
+          "Hide a scan, shape, light or clip, given by its name in the scene file, by the file name of a scan, or by "
+          "its number, as in 'light 2' (default: only those with visible = false in the scene file)",
           [](Options& o, const std::string& text) { o.hidden.push_back(text); },
           {},
           nullptr,
           true},
          {"--section", "PLANE",
-          "Cut the scan open and look at the cut in parallel projection. z=1.2 is a floor plan of what is below that "
-          "height (if z is up), y=3 and x=3 are upright sections, with the other coordinate growing to the right; "
-          "-y=3 shows the other half from the other side. X0,Y0,X1,Y1 is an upright section from a point of the plan, "
-          "on the left, to another. With a thickness, as in y=3:0.5, only a slice remains, half on either side. "
-          "--eye, --target and --view only change the camera (default: off)",
+          "Cut the scan along a plane and show the cut in parallel projection. If z is up, z=1.2 shows what is below "
+          "that height, as in a floor plan; x=3 and y=3 are vertical sections, with the other coordinate increasing to "
+          "the right; -y=3 shows the other half, seen from the other side. X0,Y0,X1,Y1 is a vertical section through "
+          "two points, the first one on the left. A thickness keeps a slice only: y=3:0.5 keeps 0.25 on each side of "
+          "the plane. --eye, --target and --view then change the camera, not the cut (default: off)",
           [](Options& o, const std::string& text) { o.section = parseSection(text); }}},
         {}};
 }
@@ -228,21 +227,20 @@ OptionGroup camerasOptions() {
               o.camera_output.depth_unit = parseRealAbove(text, 0, kMaxDepthUnit);
           }},
          {"--distortion", "refuse|drop",
-          "Cameras with lens distortion: refuse the list, or drop the distortion and render pinhole pictures (default "
-          "refuse)",
+          "What to do if cameras have lens distortion: refuse the list, or drop the distortion and render pinhole "
+          "pictures (default refuse)",
           [](Options& o, const std::string& text) { o.drops_distortion = parseName(kDistortionNames, text); }}},
         {}};
 }
 
 OptionGroup lightOptions() {
-    return {
-        "Light and surfaces",
-        {{"--sun", "TIME[@LAT,LON]",
-          "Light the scan by the sun of a local time, as 2026-06-21T15:00, or with the zone as 2026-06-21T15:00-07:00, "
-          "at a latitude and longitude (default: the scan's place, if its file names a coordinate system), and by a "
-          "sky",
-          [](Options& o, const std::string& text) { o.sun = parseSun(text); }}},
-        HelpGroup::kLightAndSurfaces};
+    return {"Light and surfaces",
+            {{"--sun", "TIME[@LAT,LON]",
+              "Light the scene by sun and sky at a local time, e.g. 2026-06-21T15:00, or with its UTC offset "
+              "2026-06-21T15:00-07:00, at a latitude and longitude in degrees (default: those of the scan, if its file "
+              "names a coordinate system)",
+              [](Options& o, const std::string& text) { o.sun = parseSun(text); }}},
+            HelpGroup::kLightAndSurfaces};
 }
 
 OptionGroup windowOptions() {
@@ -264,8 +262,8 @@ OptionGroup runOptions() {
           "Vulkan device to use, by number or part of its name; list prints all devices (default: the best one)",
           setDevice},
          {"--rays", "walk|hardware|auto",
-          "How rays find splats: by pointrt's own walk, by the ray queries of the device's hardware, or auto: by "
-          "hardware on GPUs that have it; tile sets and Gaussians are always walked (default walk)",
+          "How rays find splats: walk through pointrt's tracing index, or hardware ray queries; auto uses hardware on "
+          "GPUs that support it. Tile sets and Gaussians always use walk (default walk)",
           [](Options& o, const std::string& text) { o.traversal = parseName(kTraversalNames, text); }},
          {"--memory", "SIZE",
           "Memory limit for the tiles of tile sets, e.g. 2G or 500M; coarser tiles are used if the finest do not fit "
@@ -278,9 +276,8 @@ OptionGroup runOptions() {
          {"--stats", "FILE", "Write counts and timings as JSON to FILE, - for standard output (default: off)",
           [](Options& o, const std::string& text) { o.stats = text; }, ".json"},
          {.names = "--profile",
-          .help =
-              "Print the time of each pass to standard error, and add it to --stats and --bench as \"profile\"; "
-              "passes no longer overlap, so frames take slightly longer; GPUs time passes themselves (default: off)",
+          .help = "Print the time of each pass to standard error, and add it to --stats and --bench as \"profile\". "
+                  "Passes no longer overlap, so frames take slightly longer (default: off)",
           .flag = &Options::profile},
          {"--progress", "auto|lines",
           "Progress on standard error: auto redraws one line on a terminal, lines prints 'progress SHARE DETAIL' for "
@@ -292,7 +289,7 @@ OptionGroup runOptions() {
               throw std::invalid_argument("options of pointrt-bake follow as further arguments");
           }},
          {.names = "-q,--quiet",
-          .help = "Print errors only, and the lines of --progress lines (default: off)",
+          .help = "Print only errors, and progress with --progress lines (default: off)",
           .flag = &Options::quiet},
          {.names = "-v,--verbose",
           .help = "Print more detail to standard error (default: off)",

@@ -19,7 +19,7 @@ struct OptionRow {
     std::string help;
     /// Parses the value. Throws std::invalid_argument with the reason if it is invalid.
     void (*set)(Options& options, const std::string& text) = nullptr;
-    std::string completes = {};    ///< values that shells offer, see completes() of command_line.h
+    std::string completes = {};    ///< values that shells complete; see completes() of command_line.h
     bool Options::*flag = nullptr; ///< for a switch, which has no placeholder
     bool repeats = false;          ///< set is called for each of several values
 };
@@ -27,7 +27,7 @@ struct OptionRow {
 struct OptionGroup {
     const char* heading;
     std::vector<OptionRow> options;
-    std::optional<HelpGroup> settings; ///< listed after the options
+    std::optional<HelpGroup> settings; ///< settings to list after the options
 };
 
 /// In the order of --help.

@@ -25,7 +25,7 @@ constexpr const char* kExamples = "  pointrt-view scan.ply               open a 
                                   "  pointrt-view a.ply b.pcd -o all.png --bake --clean off\n"
                                   "  pointrt-view scan.pro --integrator path --time-limit 60 -o scan.png\n"
                                   "  pointrt-view scene.toml --view top -o - | convert - top.jpg\n";
-/// What shells offer: scenes, and the most common formats of scans.
+/// What shells complete: scenes, and the most common formats of scans.
 constexpr const char* kSceneSuffixes =
     ".pro .proset .toml .las .laz .e57 .ply .pcd .ptx .pts .xyz .obj .stl .glb .spz .sog .splat .conf .bag .mcap";
 constexpr const char* kNotes =
@@ -33,12 +33,12 @@ constexpr const char* kNotes =
     "the signal. A second Ctrl-C quits at once.\n\n"
     "PNGs are written as they are rendered and need at most 1.3 GiB of memory. EXRs, turntables, and pictures with "
     "--time-limit or --noise need 112 bytes per pixel; pointrt-view refuses to start if memory is insufficient.\n\n"
-    "Scans are baked by pointrt-bake, found beside this program or in PATH, to ~/.cache/pointrt/bakes: once for the "
-    "same "
-    "files and options. The least recently used are deleted beyond POINTRT_BAKE_CACHE (e.g. 50G, or off; default 20G) "
-    "and beyond a quarter of the free disk space. Deleting the folder clears the cache.\n\n"
-    "Environment variables: POINTRT_INDEX_CACHE limits the cache of tracing indices in ~/.cache/pointrt/index, which "
-    "are built for files without one (e.g. 20G, or off; default 8G). POINTRT_VALIDATION=1 enables the Vulkan "
+    "Scans are baked by pointrt-bake, which must be beside this program or in PATH. The results are cached in "
+    "~/.cache/pointrt/bakes and reused for the same files and options. If the cache exceeds POINTRT_BAKE_CACHE (e.g. "
+    "50G, or off; default 20G) or a quarter of the free disk space, the least recently used files are deleted. "
+    "Deleting the folder clears the cache.\n\n"
+    "Environment variables: POINTRT_INDEX_CACHE limits the cache in ~/.cache/pointrt/index, which holds the tracing "
+    "indices built for files without one (e.g. 20G, or off; default 8G). POINTRT_VALIDATION=1 enables the Vulkan "
     "validation layer; any message ends the run with exit code 3.";
 
 /// Adds an option that passes its text to set. An std::invalid_argument from set becomes the error "NAME: reason".
@@ -93,7 +93,7 @@ std::string helpOf(const Row& row) {
     return standard ? replaced(help, "{default}", valueText(row.limits, *standard)) : help;
 }
 
-/// The values of a setting that shells offer, separated by spaces.
+/// The values of a setting that shells complete, separated by spaces.
 template <typename Limits>
 std::string candidatesOf(const Limits&) {
     return {};
@@ -120,19 +120,19 @@ void addGroups(CommandLine& app, Options& options) {
         if (group.settings) addSettings(app, *group.settings, options.choices);
     }
     addCommonOptions(app, POINTRT_VERSION, "the scene is unreadable, malformed or empty", kExamples,
-                     kNotes); // under the last heading
+                     kNotes); // after the last heading
 }
 
 void requireOutput(bool given, bool fits, const char* option, const char* suffix) {
     if (given && !fits) throw Error{ExitCode::kBadUsage, std::string(option) + ": needs -o FILE" + suffix};
 }
 
-/// Only one output can be written to standard output.
+/// Refuses to write two outputs to standard output.
 void requireOwnStream(const Options& options) {
     const char* other = options.bench_frames != 0 ? "--bench" : options.stats == "-" ? "--stats -" : nullptr;
     if (options.output == "-" && other)
         throw Error{ExitCode::kBadUsage,
-                    std::string("-o - and ") + other + " exclude each other: both write to standard output"};
+                    std::string("-o - and ") + other + " cannot be combined: both write to standard output"};
 }
 
 void requireWindow(const Options& options) {
@@ -172,7 +172,7 @@ void requireCameraList(const Options& options) {
                         : camera.ortho                           ? "--ortho"
                         : options.choices.legend.value_or(false) ? "--legend"
                                                                  : nullptr;
-    if (other) throw Error{ExitCode::kBadUsage, std::string("--cameras and ") + other + " exclude each other"};
+    if (other) throw Error{ExitCode::kBadUsage, std::string("--cameras and ") + other + " cannot be combined"};
     if (options.camera_output.depth_unit && !options.camera_output.depth)
         throw Error{ExitCode::kBadUsage, "--depth-unit: needs the depth layer, which --layers omits"};
 }
@@ -193,7 +193,7 @@ void requireThumbnail(const Options& options) {
                         : !options.cameras.empty()         ? "--cameras"
                         : options.output.ends_with(".exr") ? "-o FILE.exr"
                                                            : nullptr;
-    if (other) throw Error{ExitCode::kBadUsage, std::string("--thumbnail and ") + other + " exclude each other"};
+    if (other) throw Error{ExitCode::kBadUsage, std::string("--thumbnail and ") + other + " cannot be combined"};
 }
 
 /// Fills in the settings of a thumbnail that are not given. The time limit bounds scenes whose samples take long.
@@ -205,7 +205,7 @@ void fillThumbnail(Options& options) {
     options.quiet = !options.verbose;
 }
 
-/// A plan sets its camera itself.
+/// Refuses options that conflict with a plan, which sets its own camera.
 void requirePlan(const Options& options) {
     const CameraRequest& camera = options.camera;
     const char* other = options.turntable != 0                   ? movingOption(options.follows_views)
@@ -219,12 +219,12 @@ void requirePlan(const Options& options) {
                         : camera.ortho                           ? "--ortho"
                         : camera.target && !options.choices.size ? "--target without --size"
                                                                  : nullptr;
-    if (other) throw Error{ExitCode::kBadUsage, std::string("--plan and ") + other + " exclude each other"};
+    if (other) throw Error{ExitCode::kBadUsage, std::string("--plan and ") + other + " cannot be combined"};
     if (!writesToneMapped(options) || options.output == "-")
         throw Error{ExitCode::kBadUsage, "--plan: needs -o FILE.png or FILE.tif"};
 }
 
-/// A panorama has no lens, and its size a fixed shape.
+/// Refuses options that conflict with a panorama, which has no lens and a fixed aspect.
 void requirePanorama(const Options& options) {
     if (!options.panorama) throw Error{ExitCode::kBadUsage, "--stereo: needs --panorama"};
     if (opensWindow(options)) throw Error{ExitCode::kBadUsage, "--panorama: needs -o FILE.png, FILE.tif or FILE.exr"};
@@ -234,7 +234,7 @@ void requirePanorama(const Options& options) {
                         : options.fov_deg          ? "--fov"
                         : options.camera.ortho     ? "--ortho"
                                                    : nullptr;
-    if (other) throw Error{ExitCode::kBadUsage, std::string("--panorama and ") + other + " exclude each other"};
+    if (other) throw Error{ExitCode::kBadUsage, std::string("--panorama and ") + other + " cannot be combined"};
     const bool in_stereo = options.camera.eyes_apart_m > 0;
     const PixelSize size = options.choices.size.value_or(PixelSize{});
     if (options.choices.size && (size.width % 2 != 0 || !(size == panoramaSize(size.width, in_stereo))))
@@ -248,13 +248,13 @@ void fillPanorama(Options& options) {
     if (!options.choices.size) options.choices.size = panoramaSize(kWidth, options.camera.eyes_apart_m > 0);
 }
 
-/// --device list does nothing else.
+/// Refuses other options with --device list.
 void requireNothingElse(const Options& options) {
     if (!options.inputs.empty() || !options.output.empty() || options.bench_frames != 0)
         throw Error{ExitCode::kBadUsage, "--device list cannot be combined with other options"};
 }
 
-/// Options of pointrt-bake that only a bake to a named file can have.
+/// Options of pointrt-bake that do not apply behind --bake, since they need a named output.
 constexpr std::array kNotBehind = {"-o", "--output", "--step", "--keep-work", "--progress", "--generate"};
 
 void requireBakeOptions(const Options& options) {
@@ -262,7 +262,7 @@ void requireBakeOptions(const Options& options) {
         for (const std::string_view refused : kNotBehind)
             if (option.substr(0, option.find('=')) == refused)
                 throw Error{ExitCode::kBadUsage,
-                            "--bake: " + std::string(refused) + " is not possible here; run pointrt-bake"};
+                            "--bake: " + std::string(refused) + " cannot be used here; run pointrt-bake"};
 }
 
 /// Without a scene, a window opens with a page to start from, if there is a desktop or a recording.
@@ -271,7 +271,7 @@ void requireStartPage(const Options& options) {
     if (!opensWindow(options) || !can_show) throw Error{ExitCode::kBadUsage, "no SCENE given"};
 }
 
-/// A scene file must be alone; scans may be several, if all of them are baked or none is.
+/// Refuses several scenes if one is a scene file, and baked scans together with scans to bake.
 void requireInputs(const Options& options) {
     if (options.inputs.empty()) return requireStartPage(options);
     for (const std::string& input : std::span(options.inputs).subspan(1))
@@ -287,10 +287,10 @@ void requireInputs(const Options& options) {
 }
 
 void requireTask(const Options& options) {
-    if (options.quiet && options.verbose) throw Error{ExitCode::kBadUsage, "-q and -v exclude each other"};
+    if (options.quiet && options.verbose) throw Error{ExitCode::kBadUsage, "-q and -v cannot be combined"};
     if (options.fov_deg && options.camera.ortho)
         throw Error{ExitCode::kBadUsage,
-                    "--fov and --ortho exclude each other: a parallel projection has no field of view"};
+                    "--fov and --ortho cannot be combined: a parallel projection has no field of view"};
     if (options.list_devices) return requireNothingElse(options);
     if (options.plan > 0) requirePlan(options);
     if (options.panorama || options.camera.eyes_apart_m > 0) requirePanorama(options);
@@ -306,17 +306,17 @@ void requireTask(const Options& options) {
     }
     requireOwnStream(options);
     if (options.resume && options.bench_frames != 0)
-        throw Error{ExitCode::kBadUsage, "--resume and --bench exclude each other"};
+        throw Error{ExitCode::kBadUsage, "--resume and --bench cannot be combined"};
     if (options.turntable != 0 && (options.resume || options.bench_frames != 0))
         throw Error{ExitCode::kBadUsage, std::string(movingOption(options.follows_views)) + " and " +
-                                             (options.resume ? "--resume" : "--bench") + " exclude each other"};
+                                             (options.resume ? "--resume" : "--bench") + " cannot be combined"};
     requireInputs(options);
     if (options.cameras.empty())
         requireFrameNames(options.output, options.turntable != 0 ? movingOption(options.follows_views) : nullptr);
     requireWindow(options);
 }
 
-/// A video is made of pictures in a folder beside it.
+/// Renders a video as pictures in a folder beside it.
 void takeVideo(Options& options) {
     if (!isVideo(options.output)) return;
     if (options.turntable == 0)
@@ -328,7 +328,7 @@ void takeVideo(Options& options) {
     options.output += ".frames/%06d.png";
 }
 
-/// What is baked needs no bake: the scene, and the scans beside it.
+/// If the inputs are baked already, takes the scene and further scans from them.
 void takeScene(Options& options) {
     const std::vector<std::string>& inputs = options.inputs;
     if (inputs.empty() || (inputs.size() > 1 && !areBakedScans(inputs))) return;
@@ -372,10 +372,9 @@ std::optional<int> parseOptions(int argc, const char* const* argv, Options& opti
     CommandLine app("View and render point scans by ray tracing on a Vulkan device.", "pointrt-view");
     app.option_defaults()->multi_option_policy(CLI::MultiOptionPolicy::TakeLast);
     app.add_option("SCENE", options.inputs,
-                   "Scans to render: files or a folder, of any format that pointrt-bake reads, baked together; or "
-                   "FILE.pro or NAME.proset from pointrt-bake, one or several; or a scene file FILE.toml "
-                   "(docs/SCENES.md), which "
-                   "options override")
+                   "What to render: scans (files or a folder, in any format that pointrt-bake reads), which are baked "
+                   "together; or one or more FILE.pro and NAME.proset from pointrt-bake; or a scene file FILE.toml "
+                   "(docs/SCENES.md), whose settings the options override")
         ->type_name("")
         ->group("Scene")
         ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);

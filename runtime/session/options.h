@@ -31,7 +31,7 @@ struct Options {
     std::vector<std::string> inputs;       ///< a scene, or scans to bake, as named on the command line
     std::vector<std::string> bake_options; ///< of pointrt-bake, for scans
     std::string scene;                     ///< the scene to open: the input, or the .pro baked from scans
-    std::vector<std::string> added;        ///< further scans (.pro, .proset) beside scene
+    std::vector<std::string> added;        ///< further scans (.pro, .proset) to show together with scene
     std::string source;                    ///< what users know scene by, such as the scan it was baked from; empty:
                                            ///< by its own name
     std::string output; ///< FILE.png, FILE.tif, FILE.exr or "-", or a folder with cameras; empty with a window,
@@ -41,7 +41,7 @@ struct Options {
     std::string stats;                      ///< file for the report, "-" for standard output, empty for none
     RenderChoices choices;                  ///< the rows of render_setting_table.h
     CameraRequest camera;                   ///< without its fov_deg
-    std::optional<Vec3> up_axis;            ///< also the scene's up unless that has one; also in camera
+    std::optional<Vec3> up_axis;            ///< the up axis given; also applies to the scene, unless that has its own
     std::optional<double> fov_deg;          ///< none: not given
     std::vector<ClipDescription> clips;     ///< boxes, besides the clips of the scene file
     std::vector<FilterDescription> filters; ///< besides those of the scene file
@@ -82,7 +82,7 @@ bool isScene(const std::string& path);
 /// True if all paths are scans that are baked: files or sets that can be opened together.
 bool areBakedScans(const std::vector<std::string>& paths);
 
-/// The option that asks for pictures of a moving camera: --path or --turntable.
+/// The option that requests pictures of a moving camera: --path or --turntable.
 const char* movingOption(bool follows_views);
 
 /// True if path is a video's: FILE.mp4 or FILE.webm.

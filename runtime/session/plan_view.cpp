@@ -17,11 +17,11 @@ namespace {
 
 [[noreturn]] void refusePlan(const std::string& reason) { throw Error{ExitCode::kBadUsage, "--plan: " + reason}; }
 
-/// What a plan needs to know of a scene.
+/// The properties of a scene that a plan needs.
 struct PlanScene {
-    std::optional<Bounds> bounds; ///< of its visible scans; none without one
-    std::optional<Vec3> up;       ///< of the first scan that knows it
-    int epsg = 0;                 ///< of all scans, if they are where their files say; 0: unknown
+    std::optional<Bounds> bounds; ///< bounds of its visible scans; none if there are none
+    std::optional<Vec3> up;       ///< up of the first scan that stores it
+    int epsg = 0; ///< coordinate system of all scans, if they are at the place that their files state; 0: unknown
 };
 
 Vec3 corner(const ScanFrame& scan, unsigned bits) {
@@ -55,14 +55,14 @@ struct MapAxes {
 };
 
 MapAxes mapAxes(Vec3 up) {
-    constexpr double kLevel = 0.999; // cos(2.6 degrees): the grid's plane is the ground
+    constexpr double kLevel = 0.999; // cos(2.6 degrees): so the grid's plane is the ground
     const std::optional<Vec3> axis = nearestAxis(up);
     if (!axis || dot(up, *axis) < kLevel) refusePlan("no axis is up");
     const Vec3 east = axis->x != 0 ? Vec3{0, 1, 0} : Vec3{1, 0, 0};
     return {east, cross(*axis, east), *axis};
 }
 
-/// The lowest and the highest place along an axis, which may point backwards.
+/// The lowest and the highest coordinate along an axis, which may point backwards.
 struct PlanExtent {
     double low = 0, high = 0;
 };
@@ -72,7 +72,7 @@ PlanExtent extentAlong(const Bounds& bounds, Vec3 axis) {
     return {std::min(from, to), std::max(from, to)};
 }
 
-/// The pixels of an axis: from a multiple of their size, over all of [low, high], or count of them around the middle.
+/// The pixels along an axis: from a multiple of their size, covering [low, high], or `count` of them around the middle.
 struct PixelRange {
     double first = 0; ///< in pixels from 0
     double count = 0;
@@ -104,9 +104,9 @@ void fillPlan(Options& options, SceneDescription& description) {
         rows = pixelsAround(dot(middle, axes.north), size->height, pixel);
     }
     if (!(columns.count <= kMaxPixelSide && rows.count <= kMaxPixelSide))
-        refusePlan("the scan has " + plainText(columns.count) + " x " + plainText(rows.count) +
-                   " pixels of this size, at most " + std::to_string(kMaxPixelSide) +
-                   " on a side are possible: choose larger ones, or a part with --size and --target");
+        refusePlan("the plan has " + plainText(columns.count) + " x " + plainText(rows.count) +
+                   " pixels, but at most " + std::to_string(kMaxPixelSide) +
+                   " per side are possible: choose larger pixels, or a part with --size and --target");
     options.choices.size = PixelSize{static_cast<std::uint32_t>(columns.count), static_cast<std::uint32_t>(rows.count)};
     if (!options.choices.background) options.choices.background = Background{.transparent = true};
     const Vec3 centre =
@@ -114,7 +114,7 @@ void fillPlan(Options& options, SceneDescription& description) {
     const double height = pixel * rows.count;
     options.camera.eye = centre + (heights.high + std::max(height, heights.high - heights.low)) * axes.up;
     options.camera.target = centre + heights.low * axes.up;
-    options.camera.up = axes.north; // the scene's own up is below
+    options.camera.up = axes.north; // keeps the picture's up apart from the scene's
     options.up_axis = axes.up;
     if (!description.up) description.up = axes.up;
     options.camera.ortho = true;

@@ -9,11 +9,11 @@
 namespace pointrt {
 namespace {
 
-/// Whether the processor's time of each pass is known.
+/// Whether the profile has the processor time of each pass.
 bool hasCpuTime(const PassProfile& profile) { return profile.clock.counters.handle == VK_NULL_HANDLE; }
 bool hasDeviceTime(const PassProfile& profile) { return profile.clock.timer.pool != VK_NULL_HANDLE; }
 
-/// What a pass takes: where it is timed within a submission, the device's time alone.
+/// The time of a pass: if it is timed within a submission, the device's time only.
 double timeOf(const PassProfile& profile, const PassTally& pass) {
     return hasCpuTime(profile) ? pass.host_ms : pass.device_ms;
 }

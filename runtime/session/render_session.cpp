@@ -46,7 +46,7 @@ void describe(const RenderSession& session, Report& report) {
 /// Selects the film's layers.
 void chooseLayers(RenderSession& session, const Options& options) {
     RenderSettings& settings = session.settings;
-    // the denoiser needs first hits; if sampling may end early, it may turn out to be needed
+    // the denoiser needs first hits; if sampling may end early, the picture may turn out to need denoising
     const std::uint32_t fewest = options.limits.seconds || options.limits.noise ? 1 : settings.spp;
     settings.first_hits |= wantsDenoising(session, options, fewest);
     // resumable and unfinished films keep the light components

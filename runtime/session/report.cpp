@@ -59,7 +59,7 @@ std::string jsonObject(const std::vector<std::pair<const char*, std::string>>& m
 void reportCutRays(const std::string& path, const RayCounts& rays) {
     if (rays.cut == 0) return;
     std::fprintf(stderr,
-                 "pointrt-view: %s: %llu rays meet more Gaussians than this device can test in one go, and show only "
+                 "pointrt-view: %s: %llu rays pass through more Gaussians than this device can test, and show only "
                  "the nearest\n",
                  path.c_str(), static_cast<unsigned long long>(rays.cut));
 }

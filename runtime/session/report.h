@@ -36,8 +36,8 @@ struct Report {
     std::string profile;              ///< profileJson (profile_report.h); empty: not profiled
 };
 
-/// A JSON object with the report's fields; frame_ms and frame_cpu_ms as min, median and max, mrays_per_second for the
-/// median frame.
+/// A JSON object with the report's fields; frame_ms and frame_cpu_ms become min, median and max; mrays_per_second is
+/// that of the median frame.
 std::string reportJson(const Report& report);
 
 /// Warns of rays that ended early, if there are any.

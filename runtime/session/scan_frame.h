@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where scans lie in the world, as their files state.
+// Where scans lie in the world, according to their files.
 #pragma once
 
 #include <optional>
@@ -21,14 +21,14 @@ struct ScanFrame {
 /// Throws Error kBadInput "FILE: reason".
 ScanFrame frameOfScan(const std::string& path);
 
-/// A place on the Earth, and which way the map is turned there.
+/// A place on the Earth, and the rotation of the map there.
 struct EarthPlace {
     double latitude_deg = 0, longitude_deg = 0; ///< north and east positive
     double convergence_deg = 0;                 ///< from true north to the grid's north, clockwise
 };
 
-/// The middle of the first scan that is where its file says, if that states a projected coordinate system. None without
-/// one, and without PROJ. Throws as frameOfScan does.
+/// The middle of the first scan that is not moved and whose file states a projected coordinate system. None if there is
+/// no such scan, or no PROJ. Throws as frameOfScan does.
 std::optional<EarthPlace> earthPlaceOf(const SceneDescription& scene);
 
 } // namespace pointrt

@@ -25,7 +25,7 @@ Number load(std::string_view bytes, std::size_t offset) {
     return number;
 }
 
-/// The contents of META, which files that are open for tracing do not show; "" if the file has no META.
+/// The contents of META, which files opened for tracing do not expose; "" if the file has no META.
 std::string_view metadataOf(const pro_file* file) {
     std::size_t size = 0;
     const auto* const start = static_cast<const char*>(pro_bytes(file, &size));
@@ -54,14 +54,14 @@ std::string textOf(const Json& world, const char* key) {
     return found != world.end() && found->is_string() ? printable(found->get<std::string>()) : std::string();
 }
 
-/// What users know a scan by: not a file of the cache.
+/// The name by which users know a scan, not that of a file of the cache.
 const std::string& nameOf(const DeviceScene& scene, const DeviceScan& scan) {
     const SceneDescription& description = scene.description;
     const bool is_scan = description.instances.size() == 1 && !isSceneOrSet(description.path);
     return is_scan ? description.path : scan.path;
 }
 
-/// The up of the first scan that has one, if a bake found or guessed it; that of the viewer if none has.
+/// The up of the first scan that has one, if a bake found or guessed it; the viewer's default if no scan has one.
 std::string upNote(const DeviceScene& scene) {
     const std::vector<const DeviceScan*> scans = representativeScans(scene);
     for (const DeviceScan* scan : scans) {
@@ -93,11 +93,11 @@ std::vector<std::string> sceneNotes(const LoadedScene& loaded, bool up_is_given)
     const RenderSettings& settings = loaded.settings;
     const bool shows_caustics = settings.caustics && usesLights(settings.integrator) && castsCaustics(loaded.scene);
     if (settings.relight && shows_caustics && hasGaussians(loaded.scene))
-        notes.push_back("Gaussians lit by the scene show no caustics: these pass them and show on surfaces");
+        notes.push_back("lit Gaussians show no caustics: these pass through them to the surfaces behind");
     const double height = loaded.camera.ortho_height;
     if (loaded.section_camera && height > 0)
         notes.push_back("the picture of the section is " + plainText(height) + " units high, " +
-                        plainText(height / loaded.settings.height) + " a pixel (--ortho sets the height)");
+                        plainText(height / loaded.settings.height) + " per pixel (--ortho sets the height)");
     return notes;
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the viewer decided by itself about a scene, and the options against it.
+// Decisions that the viewer made about a scene, and the options to override them.
 #pragma once
 
 #include <string>
@@ -9,8 +9,8 @@
 
 namespace pointrt {
 
-/// A line for each decision, without the tool's name: the up direction if it is a guess of the bake or of the viewer,
-/// and colours of scans without colour.
+/// A line for each decision, without the tool's name: the up direction if the bake or the viewer guessed it, and the
+/// colours of scans without colours.
 /// @param up_is_given by the command line or the scene file
 std::vector<std::string> sceneNotes(const LoadedScene& loaded, bool up_is_given);
 

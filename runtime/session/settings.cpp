@@ -43,7 +43,7 @@ CameraRequest resolveCamera(const Options& options, const CameraRequest& filed) 
     return camera;
 }
 
-/// The scene's camera with only its lens, looking from a standard view.
+/// The scene's camera looking from a standard view: it keeps only the lens.
 CameraRequest lookingFrom(StandardView view, const CameraRequest& filed) {
     CameraRequest camera = filed;
     camera.eye.reset();
@@ -94,11 +94,12 @@ SceneDescription describeScene(const Options& options) {
         scene = readSceneFile(options.scene);
         if (!options.source.empty()) scene.path = options.source;
         if (!scene.up) scene.up = options.up_axis;
-        if (options.choices.room || options.choices.lights) removeSurroundings(scene); // replaced by others
+        // other surroundings will replace them
+        if (options.choices.room || options.choices.lights) removeSurroundings(scene);
     } else {
         scene.path = options.source.empty() ? options.scene : options.source;
         scene.instances.push_back({options.scene, {}, {}, {}});
-        // a file of the cache has no name that says anything
+        // the name of a file of the cache means nothing to users
         scene.instances.back().layer.name = std::filesystem::path(options.source).filename().string();
         for (const std::string& path : options.added) scene.instances.push_back({path, {}, {}, {}});
         scene.up = options.up_axis;

@@ -21,17 +21,17 @@ SceneDescription describeScene(const Options& options);
 /// view.
 RenderSettings resolveSettings(const Options& options, const SceneDescription& scene);
 
-/// The reverse: scene with settings, so that its scene file gives the same picture. scene: without the additions of
-/// addSurroundings; staged_for: the eye that these were placed for
+/// The reverse: scene with these settings, so that its scene file gives the same picture. scene: without the additions
+/// of addSurroundings; staged_for: the eye that these were placed for
 SceneDescription describeRun(SceneDescription scene, const RenderSettings& settings, Vec3 staged_for);
 
 /// The standard view of options.view, unless the scene has a view of that name.
 std::optional<StandardView> standardView(const Options& options, const SceneDescription& scene);
 
-/// From this number of samples on noise is hardly visible, and the denoiser would remove detail.
+/// With this many samples or more, noise is hardly visible and the denoiser would remove detail.
 constexpr std::uint32_t kCleanSamplesOfLight = 256;
 
-/// True if samples of a pixel differ by more than antialiasing: random light paths, soft shadows. Those of Gaussian
+/// True if samples of a pixel differ by more than antialiasing: random light paths, soft shadows. Samples of Gaussian
 /// captures do not: their radiance is stored, and nothing else scatters light.
 bool isNoisy(const RenderSettings& settings, const SceneDescription& scene, const StudioSubject& subject = {});
 
@@ -39,8 +39,8 @@ bool isNoisy(const RenderSettings& settings, const SceneDescription& scene, cons
 bool wantsDenoising(const Options& options, const RenderSettings& settings, const SceneDescription& scene,
                     std::uint32_t samples, const StudioSubject& subject = {});
 
-/// How PNGs and the window show the scene's light. scene: with its surroundings. Pictures with a background have no
-/// second tone curve: a capture's colours are those of photographs, which have had theirs.
+/// How PNGs and the window show the scene's light. scene: with its surroundings. Pictures with a background get no tone
+/// curve: the colours of a capture are those of photographs, which already have one.
 ToneMapping toneMapping(const SceneDescription& scene, float stops);
 
 } // namespace pointrt

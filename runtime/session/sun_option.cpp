@@ -17,14 +17,15 @@ namespace {
 constexpr double kHour_s = 3600, kMinute_s = 60, kDay_s = 86400;
 /// Zones are from UTC-12 to UTC+14.
 constexpr double kFarthestZone_s = 14 * kHour_s;
-/// On a surface that faces it: with the light of the default sky, a white level ground in the afternoon is white.
+/// Irradiance on a surface that faces the sun: together with the default sky, it makes a white level ground in the
+/// afternoon white.
 constexpr float kSunIrradiance = 4;
 constexpr const char* kForm = "\" is not a date and a time such as 2026-06-21T15:00, 2026-06-21T15:00-07:00 or "
                               "2026-06-21T15:00@44.06,-123.07";
 
 [[noreturn]] void refuseTime(const std::string& text) { throw std::invalid_argument("\"" + text + kForm); }
 
-/// Seconds since 1970 of "2026-06-21T15:00"; sets how many characters that takes.
+/// Parses "2026-06-21T15:00" to seconds since 1970; sets how many characters it took.
 double parseLocalTime(const std::string& text, std::size_t& length) {
     int year = 0, month = 0, day = 0, hour = 0, minute = 0, end = 0;
     if (std::sscanf(text.c_str(), "%4d-%2d-%2dT%2d:%2d%n", &year, &month, &day, &hour, &minute, &end) != 5)
@@ -32,13 +33,13 @@ double parseLocalTime(const std::string& text, std::size_t& length) {
     const std::chrono::year_month_day date{std::chrono::year{year}, std::chrono::month{static_cast<unsigned>(month)},
                                            std::chrono::day{static_cast<unsigned>(day)}};
     const bool is_time = hour >= 0 && hour < 24 && minute >= 0 && minute < 60;
-    if (!date.ok() || year < 1900 || year > 2100 || !is_time) refuseTime(text); // the years of sunPosition
+    if (!date.ok() || year < 1900 || year > 2100 || !is_time) refuseTime(text); // the range of sunPosition
     length = static_cast<std::size_t>(end);
     return kDay_s * static_cast<double>(std::chrono::sys_days(date).time_since_epoch().count()) + kHour_s * hour +
            kMinute_s * minute;
 }
 
-/// "", "Z", or "-07:00".
+/// Parses "", "Z", or "-07:00".
 std::optional<double> parseZone(const std::string& zone, const std::string& text) {
     if (zone.empty()) return std::nullopt;
     if (zone == "Z") return 0;
@@ -77,11 +78,11 @@ SunPosition positionOf(const SunOption& sun, const EarthPlace& place) {
     if (!(position.elevation_deg > 0))
         throw Error{ExitCode::kBadUsage, "--sun: the sun is " + plainText(-position.elevation_deg) +
                                              " degrees below the horizon at that time and place"};
-    position.azimuth_deg -= place.convergence_deg; // the map's north is not true north
+    position.azimuth_deg -= place.convergence_deg; // the map's north differs from true north
     return position;
 }
 
-/// The index of the first sun; adds a sun if the scene has none.
+/// The index of the first sun; adds one if there is none.
 std::uint32_t sunOf(SceneDescription& scene) {
     for (std::size_t i = 0; i < scene.lights.size(); ++i)
         if (std::holds_alternative<SunLight>(scene.lights[i])) return static_cast<std::uint32_t>(i);

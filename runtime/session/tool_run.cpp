@@ -12,10 +12,10 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-/// How soon a cancelled tool gets SIGTERM, and how long it has to exit.
+/// Time until a cancelled tool gets SIGTERM, and the time it then has to exit.
 constexpr std::chrono::milliseconds kPoll{50};
 constexpr std::chrono::seconds kGrace{3};
-/// Longer lines are cut.
+/// Longer lines are truncated.
 constexpr std::size_t kLongestLine = 4096;
 
 /// Splits output into lines; keeps the last one that is not progress.
@@ -34,7 +34,7 @@ public:
         }
     }
 
-    /// Without the tool's name. A last line without a line feed counts.
+    /// Without the tool's name. A last line without a line feed counts, too.
     std::string lastLine(const std::string& name) const {
         const std::string prefix = name + ": error: ", line = line_.empty() ? last_ : line_;
         return line.starts_with(prefix) ? line.substr(prefix.size()) : line;

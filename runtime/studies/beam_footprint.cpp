@@ -9,8 +9,8 @@
 namespace pointrt {
 namespace {
 
-/// The radius, as a share of the cone's, that encloses this share of the power in the cone. A Gaussian beam has
-/// 1 - exp(-2 r^2) of its power within r.
+/// The radius, relative to the cone's, within which this share of the cone's power lies. A Gaussian beam has 1 - exp(-2
+/// r^2) of its power within r.
 double circleOf(double share) { return std::sqrt(-0.5 * std::log1p(share * std::expm1(-2.0))); }
 
 /// A unit vector perpendicular to axis.

@@ -18,7 +18,7 @@ public:
 
     std::size_t size() const { return tangents_.size(); }
 
-    /// The frame of a beam, around which the spiral of rays lies.
+    /// The frame of a beam, which is the axis of the spiral of rays.
     struct Around {
         /// @param axis unit length
         /// @param start rotation of the spiral, 0 to 1 for a full circle

@@ -24,7 +24,7 @@ struct BasePlane {
 };
 
 BasePlane baseIn(const PlanFrame& frame, const FittedPlane& plane) {
-    constexpr double kUpright = 1e-3; // cosine of the angle to up from which on the plane counts as vertical
+    constexpr double kUpright = 1e-3; // cosine of the angle to up below which the plane counts as vertical
     const Vec3 normal = vectorOf(plane.normal);
     const BasePlane base{frame.planOf(vectorOf(plane.center)),
                          {dot(normal, frame.east), dot(normal, frame.north), dot(normal, frame.up)}};
@@ -110,7 +110,7 @@ std::pair<double, double> columnsOf(const std::vector<PlanePoint>& strip, const 
 
 /// @param sense sign of the rim's area
 void addCells(const std::vector<PlanePoint>& rim, double sense, const Raster& raster, VolumeSum& sum) {
-    constexpr double kNoArea = 1e-9; // of a cell's, from rounding
+    constexpr double kNoArea = 1e-9; // share of a cell's area: less is rounding
     const double least = kNoArea * raster.cell * raster.cell;
     for (double row = 0; row < raster.count(1); ++row) {
         const double south = raster.low[1] + row * raster.cell;

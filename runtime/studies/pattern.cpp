@@ -14,7 +14,7 @@ Vec3 directionOf(double azimuth_deg, double elevation_deg) {
     return {std::cos(elevation) * std::cos(azimuth), std::cos(elevation) * std::sin(azimuth), std::sin(elevation)};
 }
 
-/// The angle after this many steps, in degrees modulo 360.
+/// Degrees modulo 360 after this many steps.
 double turned(std::uint64_t number, double step_deg) { return std::fmod(static_cast<double>(number) * step_deg, 360); }
 
 FiringTimes timesOf(const LidarSpinning& spinning) {
@@ -44,7 +44,7 @@ LidarPulse pulseIn(const LidarFlash& flash, std::uint64_t, std::uint64_t pixel) 
     return {0, normalize({1, left, up}), static_cast<std::uint16_t>(row), 0};
 }
 
-/// From -1 to 1 and back within a cycle.
+/// A swing from -1 to 1 and back per cycle.
 double swing(double cycles, bool sinusoidal) {
     const double phase = cycles - std::floor(cycles);
     if (sinusoidal) return -std::cos(2 * std::numbers::pi * phase);

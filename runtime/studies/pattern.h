@@ -13,7 +13,7 @@ namespace pointrt {
 struct FiringTimes {
     double period_s = 0;
     std::uint64_t pulses = 0;
-    double cycle_s = 0; ///< until every direction has occurred: a rotation, a frame, a sweep and back
+    double cycle_s = 0; ///< until all directions have occurred: a rotation, a frame, or a sweep and back
 };
 
 FiringTimes firingTimes(const LidarPattern& pattern);

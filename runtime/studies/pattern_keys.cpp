@@ -39,7 +39,7 @@ LidarSpinning spinningOf(const SceneValue& table) {
         {"elevations_deg", "beams", "lowest_deg", "highest_deg", "rotation_hz", "step_deg", "start_deg", "clockwise"});
     LidarSpinning spinning;
     if (hasFirst(table, "elevations_deg", "beams")) {
-        forbid(table, {"lowest_deg", "highest_deg"}, "excludes \"elevations_deg\"");
+        forbid(table, {"lowest_deg", "highest_deg"}, "cannot be combined with \"elevations_deg\"");
         spinning.elevations_deg = elevationsOf(*find(table, "elevations_deg"));
     } else {
         spinning.elevations_deg = evenElevations(table);
@@ -53,7 +53,7 @@ LidarSpinning spinningOf(const SceneValue& table) {
 
 std::array<SceneValue, 2> pairOf(const SceneValue& list) {
     if (!list.node->is_array() || list.node->as_array()->size() != 2)
-        refuse(list, "must be two numbers, across and down");
+        refuse(list, "must be two numbers, horizontal and vertical");
     const std::vector<SceneValue> both = elementsOf(list);
     return {both[0], both[1]};
 }
@@ -108,7 +108,8 @@ LidarPattern readPattern(const SceneValue& file) {
     const PatternKind* found = nullptr;
     for (const PatternKind& kind : kKinds) {
         const auto table = findTable(file, kind.name);
-        if (table && found) refuse(*table, "excludes [" + std::string(found->name) + "]: a sensor has one pattern");
+        if (table && found)
+            refuse(*table, "cannot be combined with [" + std::string(found->name) + "]: a sensor has one pattern");
         if (table) found = &kind;
     }
     if (!found) refuse(file, "a sensor must have a pattern, one of the tables " + joined(patternTables()));

@@ -7,7 +7,7 @@
 namespace pointrt {
 namespace {
 
-/// The middle of one of 2^52 steps, so never 0 or 1; with the half it takes the 53 bits that a double has below 1.
+/// The middle of one of 2^52 intervals, so never 0 or 1; with the half it has the 53 bits of doubles just below 1.
 double unitOf(std::uint32_t high, std::uint32_t low) {
     const std::uint64_t bits = (std::uint64_t{high} << 32 | low) >> 12;
     return (static_cast<double>(bits) + 0.5) * 0x1p-52;

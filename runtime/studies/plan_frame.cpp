@@ -32,7 +32,7 @@ PlanBounds planBounds(const TraceScene& scene, const PlanFrame& frame) {
 PlanHeights planHeights(const TraceScene& scene, const PlanFrame& frame) {
     const PlanBounds bounds = planBounds(scene, frame);
     const double low = bounds.low.z, high = bounds.high.z;
-    const double margin = 0.01 * (high - low) + 1e-9 * std::abs(high); // beyond rounding
+    const double margin = 0.01 * (high - low) + 1e-9 * std::abs(high); // more than rounding
     return {low - margin, high + margin};
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Coordinates seen along up, and the vertical rays that meet a scene there.
+// Coordinates in a plan, and the vertical rays from above or below the scene.
 #pragma once
 
 #include "pointrt/measure.hpp"
@@ -28,7 +28,7 @@ struct PlanBounds {
 };
 PlanBounds planBounds(const TraceScene& scene, const PlanFrame& frame);
 
-/// The lowest and highest z of the scene in a plan, with a margin, so that rays from there meet everything.
+/// The lowest and highest z of the scene in a plan, with a margin, so that rays that start there hit everything.
 struct PlanHeights {
     double low = 0, high = 0;
 };

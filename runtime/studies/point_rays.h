@@ -13,7 +13,7 @@ namespace pointrt {
 
 struct PointRays {
     std::vector<VisibilityRay> rays;
-    std::vector<std::size_t> points; ///< where they start
+    std::vector<std::size_t> points; ///< the point that each ray starts at
 };
 
 /// Appends the rays of those points in [first, last) that have one, in order.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// From ray echoes to the returns of a beam.
+// From the echoes of a beam's rays to its returns.
 #pragma once
 
 #include <cstdint>
@@ -12,14 +12,14 @@ namespace pointrt {
 struct RayEcho {
     double range = 0;
     double power = 0;
-    float cosine = 0; ///< of the incidence
+    float cosine = 0; ///< cosine of the angle of incidence
     std::uint32_t splat = 0, instance = 0, tile = 0;
 };
 
 struct LidarReturn {
     double range = 0;  ///< mean of its echoes, weighted by power
     double power = 0;  ///< sum over its echoes
-    RayEcho strongest; ///< echo; the nearest one on ties
+    RayEcho strongest; ///< the strongest echo; of equal ones the nearest
 };
 
 /// Sorts echoes by range and starts a new return at each gap wider than resolution. Overwrites returns, nearest first.

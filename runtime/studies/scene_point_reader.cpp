@@ -10,7 +10,7 @@ namespace pointrt {
 
 struct ScenePointReader::State {
     InstanceList list;
-    std::size_t instance = 0, splat = 0; ///< indices of the next splat
+    std::size_t instance = 0, splat = 0; ///< index of the next splat, and of its instance
     std::uint64_t found = 0;             ///< points of the instance so far
     std::optional<ProFile> file;         ///< of the instance
 

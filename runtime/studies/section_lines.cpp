@@ -9,7 +9,7 @@
 namespace pointrt {
 namespace {
 
-/// Hits so far apart are neighbours on a line, whatever the gap: linkHits.
+/// Hits this far apart are linked as neighbours, whatever the gap: see linkHits.
 constexpr double kClosedSteps = 2.5;
 
 void requireRules(const SectionRules& rules) {

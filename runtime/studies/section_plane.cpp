@@ -24,7 +24,8 @@ SectionPlane sectionPlane(const std::string& text, const Position& up) {
     const SectionRequest request = requestOf(text);
     if (request.thickness) refuseUsage(text + ": a section of lines has no thickness");
     const Section section = makeSection(request, planFrame({}, up).up);
-    const Vec3 upwards = section.up - dot(section.up, section.side) * section.side; // a tilted up is not in the plane
+    // a tilted up is not in the plane, so it is projected to it
+    const Vec3 upwards = section.up - dot(section.up, section.side) * section.side;
     const Vec3 in_plane = normalize(upwards);
     return {arrayOf(std::get<ClipPlane>(section.clips.front().form).point), arrayOf(cross(in_plane, section.side)),
             arrayOf(in_plane)};

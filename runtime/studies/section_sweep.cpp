@@ -14,14 +14,15 @@ namespace pointrt {
 namespace {
 
 constexpr double kMostSweepRays = 1 << 22;
-/// Surfaces less than this behind each other are one; in steps.
+/// Surfaces on a ray that are less than this many steps apart count as one.
 constexpr double kApart = 2;
-/// Below sin(12 degrees), a surface runs along the plane, and its cut is arbitrary.
+/// Below sin(12 degrees), a surface runs along the plane, and the place of its cut is arbitrary.
 constexpr double kLeastTilt = 0.2;
-/// cos(55 degrees): where a ray slides along a surface, the other sweep meets it, with 10 degrees in common.
+/// cos(55 degrees): surfaces at which rays of one sweep graze are hit by the other sweep; the ranges overlap by 10
+/// degrees.
 constexpr double kLeastSlope = 0.57;
 
-/// From the plane's axes to space.
+/// The transform from the plane's axes to space.
 struct CutPlane {
     Vec3 point, right, up;
     Vec3 spaceOf(Vec2 at) const { return point + at.x * right + at.y * up; }
@@ -45,10 +46,10 @@ CutBounds boundsIn(const TraceScene& scene, const CutPlane& plane) {
     return bounds;
 }
 
-/// A ray of a sweep, continued behind its last hit.
+/// A ray of a sweep, which continues behind its last hit.
 struct SweepRay {
     std::uint32_t number = 0;
-    double at = 0; ///< along the axis
+    double at = 0; ///< position along the axis
 };
 
 struct SweepHit {
@@ -125,7 +126,7 @@ private:
         found_.push_back({number, at, (1 / tilt) * tilted});
     }
 
-    /// The mean of the hits on one surface from i on, which then is behind them.
+    /// The mean of the hits on one surface, from hit i on; i is then behind them.
     SectionHit mergedFrom(std::size_t& i) const {
         const SweepHit& first = found_[i];
         double at = 0, count = 0;
@@ -136,7 +137,7 @@ private:
             normal = normal + (dot(found_[i].normal, first.normal) < 0 ? -1.0 : 1.0) * found_[i].normal;
             ++count;
         }
-        const double size = length(normal); // at least 1: none points away from the first
+        const double size = length(normal); // at least 1, since no normal points away from the first
         return {placeOf(first.number, at / count), {-normal.y / size, normal.x / size}};
     }
 

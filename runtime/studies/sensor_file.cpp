@@ -74,7 +74,7 @@ void readIntensity(const SceneValue& file, LidarSensor& sensor) {
     LidarReflectance& reflectance = sensor.reflectance;
     if (const auto value = find(*table, "reflectance")) readReflectance(*value, reflectance);
     if (const auto name = find(*table, "attribute")) {
-        if (find(*table, "reflectance")) refuse(*name, "excludes \"reflectance\"");
+        if (find(*table, "reflectance")) refuse(*name, "cannot be combined with \"reflectance\"");
         reflectance.source = LidarReflectance::Source::kAttribute;
         reflectance.attribute = textOf(*name);
     } else {
@@ -111,7 +111,7 @@ LidarPose poseOf(const SceneValue& table) {
     const Vec3 position = vectorOf(require(table, "position"));
     pose.position = {position.x, position.y, position.z};
     if (const auto rotation = find(table, "rotation")) {
-        forbid(table, {"yaw_deg", "pitch_deg", "roll_deg"}, "excludes \"rotation\"");
+        forbid(table, {"yaw_deg", "pitch_deg", "roll_deg"}, "cannot be combined with \"rotation\"");
         pose.rotation = quaternionOf(*rotation);
         return pose;
     }
@@ -125,7 +125,7 @@ LidarPose poseOf(const SceneValue& table) {
 
 std::vector<LidarPose> readWhere(const SceneValue& file) {
     const auto pose = findTable(file, "pose"), trajectory = find(file, "trajectory");
-    if (pose && trajectory) refuse(*trajectory, "excludes [pose]");
+    if (pose && trajectory) refuse(*trajectory, "cannot be combined with [pose]");
     if (pose) return {poseOf(*pose)};
     return trajectory ? readPoses(relativePath(*trajectory)) : std::vector<LidarPose>{};
 }

@@ -12,14 +12,15 @@
 namespace pointrt {
 namespace {
 
-/// Directions over the sphere: each point of it is within some 0.09 radians of one.
+/// Number of directions over the sphere: every direction is within some 0.09 radians of one of them.
 constexpr std::size_t kDirections = 1024;
-/// The search then narrows around the nearest hit: rings of rays in a cone whose angle shrinks by this factor, from one
-/// that reaches the neighbouring directions to 3e-6 radians, at which the distance is right to 5e-12 of itself.
+/// The search then narrows around the nearest hit, by rings of rays in a cone. The cone's angle shrinks by this factor,
+/// from one that reaches the neighbouring directions to 3e-6 radians, at which the relative error of the distance is
+/// 5e-12.
 constexpr double kFirstCone = 0.12, kShrink = 0.6;
 constexpr int kRounds = 21;
 constexpr std::size_t kRingRays = 8;
-constexpr std::size_t kPointsAtOnce = 256; // the first search is then a chunk of the library, 262,144 rays
+constexpr std::size_t kPointsAtOnce = 256; // the first search then takes 262,144 rays, a chunk of the library
 
 /// A point and the nearest hit found so far.
 struct Search {
@@ -49,7 +50,7 @@ void addCone(Vec3 direction, double cone, std::vector<Vec3>& directions) {
     }
 }
 
-/// Casts count directions for each search, directionsOf(search) in turn, and keeps the nearest hit.
+/// For each search in turn, casts the count rays of directionsOf(search) and keeps the nearest hit.
 template <typename DirectionsOf>
 void castEach(const TraceScene& scene, std::span<Search> searches, CastBatch& rays, const DirectionsOf& directionsOf) {
     rays.clear();

@@ -34,7 +34,7 @@ void requireOnEarth(GeoPlace place) {
 /// Whether a place lies within the area or at most a UTM zone's width beside it.
 bool isNear(const AreaOfUse& area, GeoPlace place) {
     constexpr double kMarginDeg = 6;
-    const auto eastOf = [](double longitude, double origin) { // from 0 up to 360 degrees
+    const auto eastOf = [](double longitude, double origin) { // 0 to 360 degrees
         const double east = std::fmod(longitude - origin, 360.0);
         return east < 0 ? east + 360 : east;
     };
@@ -44,7 +44,7 @@ bool isNear(const AreaOfUse& area, GeoPlace place) {
             eastOf(place.longitude_deg, area.west_deg - kMarginDeg) <= width + 2 * kMarginDeg);
 }
 
-/// Latitude and longitude in the wrong order are the usual reason.
+/// The usual reason is that latitude and longitude are swapped.
 [[noreturn]] void refusePlace(GeoPlace place, const ProjectedCrs& crs) {
     refuseUsage(plainText(place.latitude_deg) + "," + plainText(place.longitude_deg) + " is outside the area of " +
                 crs.name + ": give latitude, then longitude, of the scan");
@@ -68,7 +68,7 @@ std::string shortName(const std::string& crs) {
     return open == crs.npos || close == crs.npos ? "its coordinate system" : crs.substr(open + 1, close - open - 1);
 }
 
-/// North where no coordinate system helps, as scene files have it.
+/// North if there is no usable coordinate system, as in scene files.
 Vec3 assumedNorth(Vec3 up, const std::string& reason, std::string& note) {
     const Vec3 north = defaultNorth(up);
     note = std::string("north is assumed to be ") + (north.y > 0.9    ? "+Y"
@@ -103,7 +103,7 @@ StudyFrame studyFrame(const std::string& path, GeoPlace place, std::optional<Num
     frame.note = "north is as given";
     const Vec3 ahead = given_north ? unitOf(*given_north, "north") : northOf(world, up, place, frame.note);
     const Vec3 level = ahead - up * dot(ahead, up);
-    if (length(level) < 1e-6) refuseUsage("north must not be along up"); // nothing but rounding is left
+    if (length(level) < 1e-6) refuseUsage("north must not be along up"); // only rounding errors are left
     if (!given_up && length(world.up) == 0) frame.note += "; up is assumed to be +Z: the scan does not say";
     frame.up = arrayOf(up);
     frame.north = arrayOf(normalize(level));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Internal to runtime/studies: vectors of the public interface, and how it refuses values.
+// Internal to runtime/studies: vectors of the public interface, and errors for invalid values.
 #pragma once
 
 #include <numbers>
@@ -10,7 +10,7 @@
 
 namespace pointrt {
 
-/// Between consecutive points of Vogel's spiral ("A better way to construct the sunflower head", 1979).
+/// Angle between consecutive points of Vogel's spiral ("A better way to construct the sunflower head", 1979).
 constexpr double kGoldenAngle = 2 * std::numbers::pi * (2 - std::numbers::phi);
 
 [[noreturn]] inline void refuseUsage(const std::string& reason) {

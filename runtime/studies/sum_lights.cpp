@@ -41,7 +41,7 @@ public:
     std::uint64_t castCount() const { return cast_; }
 
 private:
-    /// A batch with room for fewer rays than this is cast; the light's remaining rays go into the next one.
+    /// If a batch has room for fewer rays than this, it is cast, and the light's next rays go into a new one.
     static constexpr std::size_t kLeastRoom = kRaysAtOnce / 8;
 
     const TraceScene& scene_;
@@ -69,7 +69,7 @@ std::uint64_t sumLights(const TraceScene& scene, const StudyPoints& points, cons
         for (std::size_t i = first; i < last; ++i) discs[i] = discAt(points, i, rules);
     });
     LightRays rays(scene, discs, sums);
-    // light by light: rays of neighbouring points are parallel, which traces fastest
+    // light by light, since rays of neighbouring points are then parallel, which traces fastest
     for (std::size_t k = 0; k < lights.weights.size(); ++k) {
         const double* d = lights.directions.data() + 3 * k;
         rays.add({d[0], d[1], d[2]}, lights.weights[k]);

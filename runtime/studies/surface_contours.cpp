@@ -17,13 +17,14 @@ namespace {
 constexpr double kContourCellsAcross = 1000;
 constexpr double kMostContourCells = 1 << 26;
 constexpr double kMostLevels = 10000;
-/// The default interval gives at most so many lines, and at least 10 as the next round number is 2.5 times larger.
+/// The default interval gives at most this many heights, and at least 10, as the next round number is at most 2.5 times
+/// larger.
 constexpr double kDefaultLevels = 25;
-constexpr double kIndexed = 5; // as on topographic maps
+constexpr double kIndexed = 5; // every fifth line, as on topographic maps
 
 /// The raster over a scene in a plan, from its lower left node.
 struct PlanRaster {
-    Vec3 corner; ///< at the height where rays start
+    Vec3 corner; ///< lower left node, at the height where rays start
     double cell = 0;
     HeightRaster heights; ///< along up
 };
@@ -73,7 +74,7 @@ std::vector<double> levelsIn(const HeightRaster& raster, double& interval) {
         low = std::min(low, height);
         high = std::max(high, height);
     }
-    if (!(low < high)) return {}; // nothing, or level
+    if (!(low < high)) return {}; // no surface, or a level one
     if (interval == 0) interval = roundAbove((high - low) / kDefaultLevels);
     if ((high - low) / interval > kMostLevels) refuseMeasure("the interval is too small: more than 10000 heights");
     std::vector<double> levels;

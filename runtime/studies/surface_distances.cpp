@@ -13,7 +13,7 @@
 namespace pointrt {
 namespace {
 
-/// Radii that rays start behind a point: positions in cells are rounded to a hundredth of the radius.
+/// Rays start this many radii behind a point, because positions in cells are rounded to a hundredth of the radius.
 constexpr double kStartBehind = 0.02;
 
 struct NormalRay {
@@ -27,8 +27,8 @@ bool hasNormal(const StudyPoints& points, std::size_t row) {
     return std::isfinite(size) && size > 0;
 }
 
-/// The signed distance of the nearer of two hits: along the normal the surface lies in front of the point, so the point
-/// is behind it.
+/// The signed distance from the nearer of two hits. If that is the hit along the normal, the point is behind the
+/// surface, so the distance is negative.
 double signedDistance(double along, double against) { return along < against ? -along : against; }
 
 /// Both rays of the points in [first, last) that have a normal.

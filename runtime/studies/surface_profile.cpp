@@ -14,11 +14,12 @@ namespace {
 
 constexpr double kDefaultStations = 1000;
 constexpr double kMostStations = 1 << 22;
-/// Surfaces on a ray; foliage in airborne scans has some tens.
+/// Largest number of surfaces on a ray; foliage in airborne scans has some tens.
 constexpr std::uint32_t kMostLayers = 256;
-/// The least distance between two surfaces on a ray, as a share of the scene's height: some roundings of a float.
+/// The smallest distance between two surfaces on a ray, relative to the scene's height: some rounding errors of a
+/// float.
 constexpr double kLeastApart = 1e-6;
-/// The most rays across a band.
+/// The largest number of rays across a band.
 constexpr double kMostAcross = 101;
 
 /// A station of the line in a plan.
@@ -38,10 +39,11 @@ public:
             ends_.push_back(corners_.empty() ? 0 : ends_.back() + length(level - corners_.back()));
             corners_.push_back(level);
         }
-        if (corners_.size() < 2) refuseMeasure("the line has no length seen along up");
+        if (corners_.size() < 2) refuseMeasure("the line has no horizontal length");
         step_ = step > 0 ? step : ends_.back() / kDefaultStations;
         if (!(ends_.back() / step_ < kMostStations)) refuseMeasure("the step is too short: more than 2^22 stations");
-        constexpr double kRounding = 1e-6; // in steps: the end follows the last whole step, unless it is one
+        // in steps: the end of the line is a station of its own unless it is this close to the last one
+        constexpr double kRounding = 1e-6;
         count_ = static_cast<std::size_t>(std::ceil(ends_.back() / step_ - kRounding)) + 1;
     }
 
@@ -68,8 +70,8 @@ private:
 struct VerticalRays {
     const TraceScene& scene;
     const PlanFrame& frame;
-    double start = 0; ///< z in the plan
-    double sign = -1; ///< of z along the rays
+    double start = 0; ///< z in the plan where rays start
+    double sign = -1; ///< direction of the rays along z
 
     Vec3 originAt(Vec3 plan, double z) const { return frame.pointAt({plan.x, plan.y, z}); }
     Vec3 direction() const { return sign * frame.up; }
@@ -100,7 +102,7 @@ struct OpenRay {
     double z;
 };
 
-/// All surfaces on the rays of these stations, or the first ones with one layer.
+/// All surfaces along the rays of these stations, or with one layer the first ones.
 void castLayers(const VerticalRays& rays, std::span<const Station> stations, std::uint32_t layers, double apart,
                 std::vector<ProfilePoint>& points) {
     std::vector<std::vector<ProfilePoint>> found(stations.size());
@@ -132,7 +134,7 @@ double medianOf(std::vector<double>& numbers) {
     return numbers.size() % 2 == 1 ? numbers[middle] : (numbers[middle - 1] + numbers[middle]) / 2;
 }
 
-/// The median of rays across the line, evenly spaced from edge to edge of the band.
+/// The median over rays across the line, evenly spaced from edge to edge of the band.
 void castBand(const VerticalRays& rays, std::span<const Station> stations, double width, std::size_t across,
               std::vector<ProfilePoint>& points) {
     CastBatch batch;
@@ -163,7 +165,7 @@ void requireRules(const ProfileRules& rules) {
     for (const double length : {rules.step, rules.apart, rules.width})
         if (!(length >= 0 && std::isfinite(length))) refuseMeasure("lengths of a profile must be finite and 0 or more");
     if (rules.start_height && !std::isfinite(*rules.start_height)) refuseMeasure("the start height must be finite");
-    if (rules.all && rules.width > 0) refuseMeasure("all surfaces and a band's width exclude each other");
+    if (rules.all && rules.width > 0) refuseMeasure("all surfaces and a band's width cannot be combined");
 }
 
 } // namespace

@@ -11,9 +11,11 @@
 namespace pointrt {
 namespace {
 
-/// Self-intersections that a ray can pass; then it is unoccluded. Scattered points of one surface are a few discs deep.
+/// Number of self-intersections that a ray may pass; after these it counts as unoccluded. The scattered points of one
+/// surface are a few discs deep.
 constexpr int kMostSelfHits = 32;
-/// Radii to continue behind a hit, to miss the same disc: positions in cells are rounded to a hundredth of the radius.
+/// A ray continues this many radii behind a hit, to miss the same disc: positions in cells are rounded to a hundredth
+/// of the radius.
 constexpr double kBehind = 0.02;
 
 /// The six numbers of each ray, computed on all cores; rayAt(i) returns origin and direction.
@@ -30,21 +32,21 @@ std::vector<double> numbersOf(std::size_t rays, const RayAt& rayAt) {
     return numbers;
 }
 
-/// The rest of a ray within its self-intersection distance.
+/// The remaining part of a ray within its self-intersection distance.
 struct SelfSegment {
     std::size_t ray;
     Vec3 from;
     double length;
 };
 
-/// Tests rays beyond their self-intersection distance, where any hit occludes.
+/// Tests the part of rays beyond their self-intersection distance, where any hit occludes.
 std::uint64_t testBeyondSelf(const TraceScene& scene, std::span<const VisibilityRay> rays,
                              std::span<std::uint8_t> unoccluded) {
     const bool ends = !rays.empty() && std::isfinite(rays[0].length);
     const std::vector<double> numbers = numbersOf(rays.size(), [&](std::size_t i) {
         const VisibilityRay& ray = rays[i];
         const double rest = ends ? ray.length - ray.self_distance : 1;
-        // directions must not be 0; a ray without rest gets one too short to hit anything
+        // directions must not be 0, so a ray that is complete gets one too short to hit anything
         return std::pair(ray.start + ray.self_distance * ray.direction, (rest > 0 ? rest : 1e-300) * ray.direction);
     });
     RayLimits limits;

@@ -15,8 +15,9 @@ constexpr double kLift = 0.25;      // radii
 constexpr double kSelfCosine = 0.5; // of 60 degrees
 
 /// Sine of 2 degrees: rays at lower elevations keep the self-intersection distance of this one. Pictures limit it to 8
-/// radii, as light at grazing angles contributes little. Hours of sun do not depend on the angle: with 8 radii, scatter
-/// that a bake left (a third of a radius) would hide a tenth of level ground from a sun at 6 degrees, a quarter at 4.
+/// radii, as light at grazing angles contributes little. In hours of sun, all angles count alike: with 8 radii, the
+/// scatter that remains after a bake (a third of a radius) would shade a tenth of level ground from a sun at 6 degrees,
+/// and a quarter at 4 degrees.
 constexpr double kLeastRise = 0.0348995;
 
 /// @param towards unit length, on the side of normal

@@ -16,7 +16,7 @@ std::string mebibytes(std::uint64_t bytes);
 struct SizeAndLimit {
     std::string size, limit;
 };
-/// Both in a unit, gibibytes or mebibytes; if rounding would make them look equal, in bytes.
+/// Both in one unit, gibibytes or mebibytes; in bytes if rounding would make them look equal.
 SizeAndLimit sizeAndLimit(std::uint64_t size, std::uint64_t limit, std::string (*inUnit)(std::uint64_t bytes));
 
 } // namespace pointrt

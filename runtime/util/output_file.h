@@ -14,12 +14,12 @@ namespace pointrt {
 
 /// How an existing file is replaced.
 enum class Writing {
-    kWhole,  ///< atomically, by a new file, when all is written
-    kInPlace ///< overwritten piece by piece: another process has it open and reads the pieces as they come
+    kWhole,  ///< atomically, by a new file, once everything is written
+    kInPlace ///< overwritten piece by piece: another process has it open and reads pieces as they arrive
 };
 
-/// A file written in pieces. The path "-" is standard output, which gets the pieces as they come.
-/// Each function throws Error kCannotWrite "PATH: reason".
+/// A file written in pieces. The path "-" is standard output, which gets each piece at once. Each function throws Error
+/// kCannotWrite "PATH: reason".
 class OutputFile {
 public:
     explicit OutputFile(std::string path, Writing writing = Writing::kWhole);
@@ -38,7 +38,7 @@ private:
 
     std::string path_;
     format::AtomicFile file_;
-    std::unique_ptr<std::FILE, Close> stream_; ///< instead of file_
+    std::unique_ptr<std::FILE, Close> stream_; ///< standard output, in place of file_
 };
 
 /// Writes bytes atomically to path: on failure an existing file is unchanged.

@@ -15,7 +15,7 @@
 
 namespace pointrt {
 
-/// Parses all of text as a number. Returns false, without an exception, if it is not one or out of T's range.
+/// Parses all of text as a number. Returns false, without an exception, if it is not a number or out of T's range.
 template <typename T>
 bool parseNumber(const std::string& text, T& value) {
     const char* end = text.data() + text.size();

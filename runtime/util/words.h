@@ -14,7 +14,7 @@ constexpr std::string_view kBetweenWords = " ,;\t\r";
 /// The words of a line, as views of it.
 std::vector<std::string_view> wordsOf(std::string_view line);
 
-/// A word of a user for a message: printable, truncated and in double quotes.
+/// A word that a user gave, for a message: printable, truncated and in double quotes.
 std::string quotedWord(std::string_view word);
 
 /// Converts A-Z to a-z.

@@ -3,8 +3,8 @@
 // device where a ray is traced, so the host copies at most rows of memory.
 //
 // Floats represent a ray precisely only from an origin close to what it may hit. So the origin is moved along the ray,
-// in doubles, to the sphere around the cube; the distance to move is estimated in floats, as any value will do if all
-// that follows uses the same one. Render space is the instance's cube.
+// in doubles, to the sphere around the cube; the distance to move is estimated in floats, since any value will do as
+// long as everything that follows uses the same one. Render space is the instance's cube.
 #ifndef POINTRT_SHADERS_GIVEN_RAYS_GLSL
 #define POINTRT_SHADERS_GIVEN_RAYS_GLSL
 #include "shaders/cast/cast_bindings.glsl"
@@ -15,15 +15,15 @@ layout(constant_id = SPEC_CAST_DOUBLES) const bool kDoubles = true;
 
 layout(push_constant) uniform Push { GivenPush push; };
 
-// GivenHit as two 64-bit words: on lavapipe storing 32 bits takes as long. The host has filled it with misses, so
-// misses store nothing.
+// GivenHit as two 64-bit words: on lavapipe, storing 32 bits takes as long. The host has filled the buffer with misses,
+// so misses store nothing.
 layout(std430, binding = BINDING_CAST_HITS) writeonly buffer Hits { double given_hits[]; };
 
 uint rowOfLane(uint lane) { return lane; }
 
 struct LoadedRay {
     CastRay ray;
-    bool odd;       // left to the host: invalid, or numbers too large or too small for floats
+    bool odd;       // the host must trace it: it is invalid, or its numbers are too large or too small for floats
     double start;   // distance the origin was moved, in lengths of the given direction
     float per_unit; // lengths of the given direction per world unit
 };
@@ -56,7 +56,7 @@ LoadedRay loadRay(uint row) {
     float squared = dot(along, along), per_unit = 1.0 / sqrt(squared);
     bool odd = !(squared > GIVEN_LEAST && squared < GIVEN_MOST && dot(from, from) < GIVEN_MOST);
     vec3 direction = along * per_unit;
-    // to the sphere around the cube, which is wide enough for the rounding error of floats
+    // moves the origin to the sphere around the cube, which is wide enough for the rounding error of floats
     float ahead = (-dot(from, direction) - push.radius) * GIVEN_SHORT;
     double start = double(ahead > 0.0 ? ahead * per_unit : 0.0);
     start = start > push.t_min ? start : push.t_min;

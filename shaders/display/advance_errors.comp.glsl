@@ -6,7 +6,7 @@
 
 // Share of an error that remains a frame later, and that neighbouring tiles get.
 const float kErrorDecay = 0.85, kErrorSpread = 0.5;
-// Differences in steps of 255 that are no error: rounding, and noise of soft light.
+// Smaller differences, in steps of 255, are not errors but rounding and noise of soft light.
 const uint kNoiseFloor = 3u;
 
 uint recordedAt(ivec2 tile) {

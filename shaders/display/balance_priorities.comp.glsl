@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The probability per priority that selects as many pixels as wanted on average. One workgroup.
+// Finds the probability per priority that selects as many pixels as wanted on average. One workgroup.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "shaders/display/group_sum.glsl"

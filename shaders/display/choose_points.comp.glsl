@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Of the points that are nearest to the eye in a pixel, the first one is seen. A lane for each point.
+// The first of the points at the nearest depth in a pixel becomes visible. A lane for each point.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "shaders/display/point_cache.glsl"

@@ -8,7 +8,7 @@ uint consideredOfRow() { return params.tiles_across * CONSIDERED_OF_TILE; }
 
 // The i-th of a row of tiles, tile by tile.
 uvec2 consideredPlace(uint tile_row, uint i) {
-    // consecutive phases are never adjacent rows
+    // consecutive phases never consider adjacent rows
     uint phase = params.frame * 2u % ROW_PHASES + params.frame / 2u % 2u;
     uint of_tile = i % CONSIDERED_OF_TILE;
     return uvec2(i / CONSIDERED_OF_TILE, tile_row) * TILE_SIDE +

@@ -19,7 +19,7 @@ layout(std430, binding = BINDING_DENOISE_GUIDE_LIGHT_OUT) writeonly buffer Guide
 // A firefly is at least this many times as bright as its second brightest neighbour; exponentially distributed noise
 // does that in 1 pixel of 430 (the product of k/(k+6) for k from 2 to 8) ...
 const float kFireflyRatio = 6.0;
-// ... and its relative deviation is at least this: one bright sample of n makes the deviation of the mean equal the
+// ... and its relative deviation is at least this: if one sample of n is bright, the deviation of the mean equals the
 // mean.
 const float kFireflyDeviation = 0.25;
 
@@ -28,11 +28,11 @@ struct Neighbours {
     vec4 sum; // light and variance
     float count;
     float brightest, second;
-    float shown[9]; // luminance, by place in the 3x3 pixels; of missing ones see addNeighbour
-    float missing;  // of the next missing one
+    float shown[9]; // luminance, by place in the 3x3 pixels; for missing ones see addNeighbour
+    float missing;  // luminance of the next missing one
 };
 
-// Missing neighbours are by turns darker and brighter than all, so that they hardly move the median.
+// Missing neighbours are alternately darker and brighter than all others, so that they hardly move the median.
 void addNeighbour(inout Neighbours around, DenoiseSurface center, ivec2 pixel, int place) {
     int texel = texelOf(pixel, push.xy);
     vec4 light = texelFetch(light_texels, texel);
@@ -48,7 +48,7 @@ void addNeighbour(inout Neighbours around, DenoiseSurface center, ivec2 pixel, i
     around.missing = counts ? around.missing : -around.missing;
 }
 
-// In two parts, as the pixel between them is no neighbour.
+// In two loops, since the pixel between them is not a neighbour.
 Neighbours neighboursOf(DenoiseSurface center, ivec2 pixel) {
     Neighbours around;
     around.sum = vec4(0.0);
@@ -74,8 +74,8 @@ void sortPair(inout float low, inout float high) {
     low = least;
 }
 
-// Median of the luminance of the pixel and its neighbours, of an even number the lower one: a sorting network that
-// sorts just enough (Smith, Implementing median filters in XC4000E FPGAs, 1996).
+// Median of the luminance of the pixel and its neighbours (of an even number the lower median), by a sorting network
+// that sorts only as much as needed (Smith, Implementing median filters in XC4000E FPGAs, 1996).
 float medianAround(Neighbours around, float own) {
     float v[9] = around.shown;
     v[4] = own;
@@ -89,15 +89,15 @@ float medianAround(Neighbours around, float own) {
     return v[4];
 }
 
-// The luminance by which the filter tells light from light: the median, as far as the pixel's noise explains the
-// difference to it. A bright sample among n makes its pixel stand out by one standard deviation of the mean, so its
-// guide is its neighbours' light, and the filter spreads the sample over them instead of leaving a speck.
+// The luminance that guides the filter: the pixel's own, moved towards the median as far as its noise explains the
+// difference. A bright sample among n makes its pixel stand out by one standard deviation of the mean, so its guide is
+// its neighbours' light, and the filter spreads the sample over them instead of leaving a speck.
 float guideOf(vec4 light, Neighbours around) {
     float own = luminance(light.rgb), deviation = sqrt(light.a);
     return clamp(medianAround(around, own), own - deviation, own + deviation);
 }
 
-// The smaller of the differences to the two sides: the larger one may cross an edge.
+// The smaller of the differences to both sides, since the larger one may cross an edge.
 float slopeBetween(DenoiseSurface center, ivec2 before, ivec2 after) {
     float a = texelFetch(surface_texels, texelOf(before, push.xy)).z;
     float b = texelFetch(surface_texels, texelOf(after, push.xy)).z;

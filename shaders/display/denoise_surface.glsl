@@ -4,8 +4,8 @@
 #define POINTRT_SHADERS_DENOISE_SURFACE_GLSL
 #include "shaders/shared/luminance.h"
 
-// Kinds of pixels; only pixels of the same kind are averaged. Between empty and full: eighths of coverage, so that the
-// background in partly covered pixels does not spread.
+// Kinds of pixels; only pixels of the same kind are averaged. Partly covered pixels have a kind for each eighth of
+// coverage, so that the background in them does not spread.
 #define KIND_EMPTY 1.0
 #define KIND_FULL 9.0
 #define KIND_BLACK 16.0 // added if the albedo is 0: emitters and perfect mirrors

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What pixels show: their nearest points, unless these are seen through gaps in a nearer surface; and the colours of
-// tiles. A lane for each pixel, by tiles.
+// Which point each pixel shows: its nearest one, unless that is seen through gaps in a nearer surface; and the colours
+// of tiles. A lane for each pixel, by tiles.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_KHR_shader_subgroup_arithmetic : require
@@ -10,9 +10,9 @@
 // A neighbouring pixel whose depth is smaller by more than this factor occludes a point. Floors seen at a grazing angle
 // stay below it.
 const float kOccludedDepthRatio = 1.02;
-// Beside a straight edge of an occluder, nearer points lie in at most this many of the 8 directions or octants.
+// Next to a straight edge of an occluder, nearer points lie in at most this many of the 8 directions or octants.
 const int kMostNearer = 5;
-// Distance in pixels up to which nearer points are looked for where points are sparse: at most one for so many pixels.
+// Distance in pixels to which nearer points are searched if points are sparse: at most one per this many pixels.
 const int kSparseReach = 6;
 const uint kSparsePixels = 4u;
 
@@ -20,14 +20,14 @@ int isNearer(uint pixel, float depth) { return nearestDepth(pixel) * kOccludedDe
 int isFilled(uint pixel) { return nearest[pixel].x != NO_INDEX ? 1 : 0; }
 
 uint octantWith(ivec2 place, ivec2 along, float depth) {
-    uvec2 at = uvec2(place + along); // beyond the upper and left edges it is large
+    uvec2 at = uvec2(place + along); // beyond the upper and left edges it wraps to large numbers
     if (!isInPicture(at) || isNearer(pixelAt(at), depth) == 0) return 0u;
     bool steep = abs(along.y) > abs(along.x);
     return 1u << ((along.x < 0 ? 1 : 0) | (along.y < 0 ? 2 : 0) | (steep ? 4 : 0));
 }
 
-// Whether nearer points surround a pixel whose own neighbours are mostly empty: in how many octants of a growing square
-// there are any.
+// Whether nearer points surround a pixel whose neighbours are mostly empty: counts the octants of a growing square that
+// contain any.
 bool isAmongNearerPoints(uvec2 place, float depth) {
     uint octants = 0u;
     ivec2 at = ivec2(place);
@@ -51,7 +51,7 @@ bool isOccluded(uvec2 place, float depth) {
     return is_sparse && is_alone && isAmongNearerPoints(place, depth);
 }
 
-// Adds what the subgroup has found to its tile.
+// Adds the subgroup's results to its tile.
 void addToTile(bool is_seen, uvec3 color, bool is_surface) {
     uvec3 sum = subgroupAdd(is_seen ? color : uvec3(0));
     uint count = subgroupAdd(is_seen ? 1u : 0u), surfaces = subgroupAdd(is_surface ? 1u : 0u);

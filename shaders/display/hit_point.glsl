@@ -9,7 +9,7 @@
 const float kMirrorThreshold = 0.05;
 
 struct HitPoint {
-    vec3 position; // or direction, of the sky
+    vec3 position; // for the sky, a direction
     uint info;
     float depth;
 };

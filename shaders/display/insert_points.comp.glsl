@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// Puts what was traced into the cache: the samples of the listed pixels. A lane for each.
+// Inserts the traced samples of the listed pixels into the cache. A lane for each.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "shaders/display/hit_point.glsl"
 #include "shaders/display/displayed_color.glsl"
 
-// Maximum samples to average where light is noise-free: this smooths soft shadows, and halves the error of a wrongly
-// reprojected colour at once.
+// Maximum number of samples to average if light is noise-free: it smooths soft shadows, and the first new sample halves
+// the error of a wrongly reprojected colour.
 const uint kNoiselessSamples = 1u;
 
 uint tracedColor(uint slot) {
@@ -64,7 +64,7 @@ void main() {
     HitPoint point = hitPoint(place, lane());
     uint share = blendWeight(before, point.info), samples = share == 256u ? 1u : min(sampleCount(before) + 1u, POINT_MAX_SAMPLES);
     point.info |= samples << POINT_SAMPLES_SHIFT;
-    // noise is not an error
+    // differences due to noise are not errors
     if (hasPoint(pixel) && params.is_noisy == 0u) {
         uvec3 a = channelsOf(shown[pixel]), b = channelsOf(color), off = max(a, b) - min(a, b);
         atomicMax(recorded[tileAt(place)], max(off.r, max(off.g, off.b)));

@@ -7,13 +7,13 @@
 // Neighbouring depths within this ratio belong to one surface.
 const float kSameSurfaceRatio = 1.03;
 
-// Sums and sides are of the points on the farthest surface only.
+// The points around the pixel. Sums and sides include only those on the farthest surface.
 struct Neighbors {
     uvec3 color;
     uint count;
     float depth; // a sum
     float nearest;
-    float farthest; // as nearest, of all neighbours
+    float farthest; // like nearest, over all neighbours
     uint sides;     // where points were found: a bit for each of the 3 x 3 positions, by row
     uint point;     // one of them
 };

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Lights, materials or shapes have changed: all colours become old. A lane for each place in the cache.
+// Makes all colours old after lights, materials or shapes have changed. A lane for each place in the cache.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "shaders/display/point_cache.glsl"
@@ -11,7 +11,7 @@ void main() {
     if (lane() >= pointCount()) return;
     uint info = infoOf(lane()), age = (push.first - info) & POINT_FRAME_MASK; // push.first: number of the frame
     uint traced = age < kStaleLightAge ? (push.first - kStaleLightAge) & POINT_FRAME_MASK : info & POINT_FRAME_MASK;
-    // without a sample count: the next sample replaces the colour
+    // sets the sample count to 0, so that the next sample replaces the colour
     info = (info & ~(POINT_MAX_SAMPLES << POINT_SAMPLES_SHIFT | POINT_FRAME_MASK)) | traced;
     if ((push.bits & REPROJECT_SHAPES) != 0u && (info & POINT_ON_SHAPE) != 0u) info |= POINT_INVALID;
     points[lane()].w = uintBitsToFloat(info);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The buffers of the render cache, which all of its programs bind, and what they share.
+// The buffers of the render cache, which all its programs bind, and shared functions.
 #ifndef POINTRT_SHADERS_POINT_CACHE_GLSL
 #define POINTRT_SHADERS_POINT_CACHE_GLSL
 #include "shaders/shared/bindings.h"
@@ -35,7 +35,7 @@ layout(std430, binding = BINDING_FILM) readonly buffer FilmBuffer { vec4 film[];
 layout(std430, binding = BINDING_FIRST_HITS) readonly buffer FirstHitBuffer { vec4 first_hits[]; };
 layout(std430, binding = BINDING_TONEMAP_PIXELS) buffer PixelBuffer { uint pixels[]; };
 
-const float kSkyDepth = 1e30; // beyond all surfaces
+const float kSkyDepth = 1e30; // the depth of the sky, beyond all surfaces
 const uint kBlack = 0xFF000000u;
 
 uint lane() { return gl_GlobalInvocationID.x; }
@@ -66,7 +66,7 @@ uint mixColors(uint a, uint b, uint share) {
     return packColor((channelsOf(a) * (256u - share) + channelsOf(b) * share + 128u) >> 8);
 }
 
-// As in shaders/lib/camera_ray.glsl, but each length of the direction advances the depth by 1.
+// Must agree with shaders/lib/camera_ray.glsl, except that each length of the direction advances the depth by 1.
 vec2 onPlane(uvec2 place, float half_height) {
     vec2 at = (vec2(place) + 0.5) / vec2(params.width, params.height);
     return vec2(2.0 * at.x - 1.0, 1.0 - 2.0 * at.y) * half_height * vec2(params.aspect, 1.0);

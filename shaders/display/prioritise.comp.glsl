@@ -1,19 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0
-// How urgently the considered pixels should be traced: disoccluded, wrong or old ones first, and those near the attention
+// How soon the considered pixels should be traced: disoccluded, wrong or old ones first, and those near the attention
 // point. A workgroup for each row of tiles.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "shaders/display/considered.glsl"
 #include "shaders/display/group_sum.glsl"
 
-// Priorities in frames of age: of empty pixels, of interpolated points and of empty pixels amid nothing but sky, and of
-// points near an error of a full step from black to white. While the camera moves, view-dependent points age this much
-// faster.
+// Priorities in frames of age, for empty pixels; for interpolated points, and empty pixels with only sky around; and
+// for points near an error of a full step from black to white. While the camera moves, view-dependent points age this
+// much faster.
 const float kEmptyPriority = 1500.0, kInterpolatedPriority = 150.0, kErrorPriority = 3000.0, kViewDependentAging = 8.0;
 // Gain at the attention point, and its radius as a fraction of the picture's height.
 const float kFocusGain = 2.0, kFocusRadius = 0.2;
 
-// Whether this tile and those around it have points, and all of the sky.
+// Whether this tile and its neighbours have points, and only points of the sky.
 bool isSky(uvec2 tile) {
     uvec2 last = uvec2(params.tiles_across, params.tiles_down) - 1u;
     for (uint y = tile.y - min(tile.y, 1u); y <= min(tile.y + 1u, last.y); ++y)
@@ -51,7 +51,8 @@ void main() {
         sum += priority;
     }
     for (uint x = gl_LocalInvocationID.x; x < params.tiles_across; x += REPROJECT_GROUP)
-        recorded[tile_row * params.tiles_across + x] = 0u; // for this frame; advance_errors has read the last one's
+        // cleared for this frame, as advance_errors has read the last frame's errors
+        recorded[tile_row * params.tiles_across + x] = 0u;
     float total = groupSum(vec2(sum, 0.0)).x;
     if (gl_LocalInvocationID.x == 0u) row_sums[tile_row] = RowSum(total, 0.0);
 }

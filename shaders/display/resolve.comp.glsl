@@ -22,7 +22,7 @@ layout(std430, binding = BINDING_RESOLVE_SURFACES) writeonly buffer SurfaceBuffe
 // rgb: albedo, w: variance of the mean luminance
 layout(std430, binding = BINDING_RESOLVE_ALBEDOS) writeonly buffer AlbedoBuffer { vec4 albedos[]; };
 
-// Without an `if` on the number of layers, for each value of which lavapipe would compile the program again.
+// Has no `if` on the number of layers: lavapipe would compile the program again for each of its values.
 vec4 layer(uint pixel, uint which) {
     bool has_earlier = push.samples > float(FILM_BATCH);
     uint batch = which * push.film_pixels + pixel;
@@ -78,7 +78,7 @@ void main() {
     vec4 direct = layer(pixel, LAYER_DIRECT), indirect = layer(pixel, LAYER_INDIRECT),
          caustic = layer(pixel, LAYER_CAUSTIC), albedo = layer(pixel, LAYER_ALBEDO);
     vec3 sum = direct.rgb + indirect.rgb + caustic.rgb;
-    // the moments lack the last sample; one sample has no variance
+    // the moments do not include the last sample; one sample has no variance
     LuminanceMoments moments = addLuminance(LuminanceMoments(albedo.w, caustic.w), indirect.w, samples);
     float variance = samples < 2.0 ? 0.0 : varianceOfMean(moments, samples);
     vec4 hit = vec4(0.0, 0.0, 0.0, -1.0);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Colours of the points seen from the full picture of the last view. Hidden points, whose new colours are unknown, are
-// removed. A lane for each place in the cache.
+// Takes the colours of the visible points from the full picture of the last view. Removes hidden points, whose new
+// colours are unknown. A lane for each place in the cache.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "shaders/display/point_cache.glsl"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Light, or other parts of the film, to the pixels of the window.
+// Converts light, or other parts of the film, to the pixels of the window.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "shaders/display/displayed_color.glsl"

@@ -6,7 +6,7 @@
 
 layout(local_size_x = WORKGROUP_SIZE) in;
 
-// Workgroups in a stretch: their entries and paths span many memory pages, so CPUs can prefetch.
+// Workgroups in a stretch. Their entries and paths span many memory pages, so that CPUs can prefetch.
 #define STRETCH 16u
 
 // lavapipe gives the first half of the workgroups to one thread and the rest to another. Each half takes one of every

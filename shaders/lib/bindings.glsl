@@ -21,8 +21,8 @@ layout(binding = BINDING_PHOTON_BUCKETS) uniform usamplerBuffer photon_buckets;
 layout(std140, binding = BINDING_PARAMS) uniform ParamsBuffer { FrameParams params; };
 layout(std430, binding = BINDING_CONTROL) buffer ControlBuffer { Control control; };
 // In this order: two ray queues (the first initially holds tiles), LIST_DIRECT_LIGHT, the hit list, LIST_INSTANCE_RAYS,
-// and LIST_SHADOW_RAYS with SHADOW_RAYS_PER_PATH entries per path; with instance culling also the cull masks of the
-// entries of a list, as long as LIST_SHADOW_RAYS, and the culled lists, CULLED_ENTRIES per path
+// and LIST_SHADOW_RAYS with SHADOW_RAYS_PER_PATH entries per path; with instance culling also the cull masks of a
+// list's entries, as many as LIST_SHADOW_RAYS has, and the culled lists, CULLED_ENTRIES per path
 layout(std430, binding = BINDING_QUEUES) buffer QueueBuffer { uint queues[]; };
 layout(std430, binding = BINDING_PATHS) buffer PathBuffer { PathState paths[]; };
 // splats, as in TraceHit: t as bits, cell, disc (an index into the listed splats), owner; once surface has read that: t,
@@ -43,15 +43,16 @@ layout(std430, binding = BINDING_DEFERRED) buffer DeferredBuffer { PathState def
 // per path; shares memory with light_queries: no kernel form uses both at a time
 layout(std430, binding = BINDING_SHADOW_RAYS) buffer ShadowRayBuffer { ShadowRay shadow_rays[]; };
 layout(binding = BINDING_SHADOW_RAYS_TEXELS) uniform usamplerBuffer shadow_ray_texels;
-layout(std430, binding = BINDING_PHOTONS) buffer PhotonBuffer { Photon photons[]; }; // in flight
+layout(std430, binding = BINDING_PHOTONS) buffer PhotonBuffer { Photon photons[]; }; // photons in flight
 layout(binding = BINDING_SURFACES_TEXELS) uniform usamplerBuffer surface_texels; // views surfaces
 layout(binding = BINDING_LIGHT_QUERIES_TEXELS) uniform usamplerBuffer light_query_texels; // views light_queries
 // pixels of the picture, x | y << 16, traced with STEP_PIXEL_LIST
 layout(binding = BINDING_PIXEL_LIST) uniform usamplerBuffer pixel_list_words;
 layout(std140, binding = BINDING_CULL_BOXES) uniform CullBuffer { CullBoxes cull; };
-// per path: what Gaussians add in front of its hit, linear; w: the share that passes. In scenes without them one vector
+// per path: the linear light that Gaussians add in front of its hit; w: the share that passes. One vector in scenes
+// without Gaussians
 layout(std430, binding = BINDING_GAUSSIAN_LIGHT) buffer GaussianLightBuffer { GaussianLight gaussian_light[]; };
-// per path; one in scenes whose Gaussians are all of one instance
+// per path; only one if all Gaussians of the scene are in one instance
 layout(std430, binding = BINDING_WAITING_GAUSSIANS) buffer WaitingGaussianBuffer {
     WaitingGaussians waiting_gaussians[];
 };

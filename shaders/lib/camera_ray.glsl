@@ -7,7 +7,8 @@
 #include "shaders/shared/panorama.h"
 #include "shaders/shared/spec_constants.h"
 
-// A constant: lavapipe would compile a program anew, at each binding, for the value in params that a branch depends on.
+// A specialization constant: lavapipe would compile a program again, at each binding, for the value in params that a
+// branch depends on.
 layout(constant_id = SPEC_PANORAMA_EYES) const uint kPanoramaEyes = 0u;
 const bool kIsPanorama = kPanoramaEyes != 0u, kIsStereo = kPanoramaEyes == 2u;
 
@@ -68,7 +69,7 @@ float eyeAside(vec2 pixel, float cosine) {
     return (is_left ? -1.0 : 1.0) * params.half_eye_distance * min(1.0, cosine / PANORAMA_FULL_STEREO_COSINE);
 }
 
-// The head turns to each longitude in turn, around up, and its eyes with it.
+// The head turns to each longitude, about the up direction, and the eyes turn with it.
 CameraRay panoramaRay(vec2 pixel) {
     vec2 angles = panoramaAngles(pixel);
     float sine = sin(angles.x), cosine = cos(angles.x), level = cos(angles.y);

@@ -15,11 +15,11 @@ layout(constant_id = SPEC_FEATURES) const uint kFeatures = 0xFFFFFFFFu;
 layout(constant_id = SPEC_SHAPE_KINDS) const uint kShapeKinds = 0u;
 const uint kShapeCountMask = (1u << SHAPE_COUNT_BITS) - 1u;
 const bool kHoldsShapes = (kShapeKinds & kShapeCountMask) != 0u;
-const uint kHeldShapes = (kShapeKinds & kShapeCountMask) - 1u; // their number
+const uint kHeldShapes = (kShapeKinds & kShapeCountMask) - 1u; // number of them
 #define kHoldsShapes kHoldsShapes // tested by shapes.glsl
 
 // Camera pass: one lane per pixel, with camera rays. Otherwise one lane per path of the ray queue. Each has its own
-// programs. CAMERA: a program of the camera pass alone, without the queues that the other would read and write.
+// programs. CAMERA: a program of the camera pass only, without the queues that other passes read and write.
 #ifdef CAMERA
 const bool kCameraPass = true;
 #else
@@ -29,8 +29,8 @@ layout(constant_id = SPEC_CAMERA_PASS) const bool kCameraPass = false;
 // Whether the megakernel gathers photons. In the wavefront form the program caustic does.
 layout(constant_id = SPEC_GATHERS_PHOTONS) const bool kGathersPhotons = false;
 
-// Whether each dispatch of the megakernel traces one bounce. GPUs hold more paths at once with the registers that the
-// loop would take, and their lanes need not wait for the longest path.
+// Whether each dispatch of the megakernel traces one bounce. Without the loop, GPUs have registers for more paths at
+// once, and their lanes do not wait for the longest path.
 layout(constant_id = SPEC_ONE_BOUNCE) const bool kOneBounce = false;
 
 #define mayHaveLight(kind) ((kFeatures & FEATURE_LIGHT(kind)) != 0u)

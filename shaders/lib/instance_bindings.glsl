@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // The buffers of one instance. Random reads go through texel buffers: on lavapipe those are hardware gathers, three
 // times as fast as storage buffers, and they may hold 2 GiB, while storage buffers end at 128 MiB. Larger buffers have
-// further pages in a descriptor set of their own, for programs built with PAGED (pages.glsl). The loops of traversal
-// and blending read image buffers: lavapipe inlines image loads, while texel fetches are calls that spill all live
+// further pages in a separate descriptor set, for programs built with PAGED (pages.glsl). The loops of traversal and
+// blending read image buffers: lavapipe inlines image loads, while texel fetches are calls that spill all live
 // registers. GPUs read buffers of one page as storage buffers: plain loads through their caches, where texels take the
 // way of textures and images. POOLED: programs for the tiles in a block, each lane of which chooses its tile
 // (pool.glsl).

@@ -6,7 +6,7 @@
 
 layout(set = SET_PAGES, binding = BINDING_POOLED_TILES) uniform usamplerBuffer pooled_tiles; // PooledTile
 
-// What InstanceParams has but for its arrays and the harmonics, and the starts of the sections.
+// The members of InstanceParams except its arrays and the harmonics, and the starts of the sections.
 struct PooledInstance {
     vec4 row_x;
     vec4 row_y;
@@ -34,7 +34,7 @@ const int kGridSizeRow = 6, kGridWordsRow = 7, kWordsRow = INSTANCE_VECTORS, kQu
 const int kColorRangeRow = INSTANCE_VECTORS - MAX_CLIP_PLANES - MAX_COLOR_RANGES;
 const int kClipPlaneRow = INSTANCE_VECTORS - MAX_CLIP_PLANES;
 
-// place: of the tile among those of the program.
+// place: index of the tile among those of the program.
 void selectTile(uint place) {
     pooled_row = int(place) * POOLED_TILE_VECTORS;
     instance = PooledInstance(pooledVector(0), pooledVector(1), pooledVector(2), pooledVector(3), pooledVector(4),
@@ -43,12 +43,13 @@ void selectTile(uint place) {
                               pooledRow(INSTANCE_VECTORS + 2).x);
 }
 
-// What a lane has of its tile and its ray is loaded again where it is needed: GPUs have more rays under way with the 64
-// registers of a walk than with the 96 that all of it would take in between. Compilers keep what they have loaded from
-// the same place, so the place depends on a row that is never negative, which they do not know.
+// A lane loads the data of its tile and its ray again where it needs them: with the 64 registers of a walk, GPUs keep
+// more rays in flight than with the 96 registers that would hold everything in between. Compilers would keep values
+// that they have loaded from the same place; so the place depends on a row that is never negative, which compilers do
+// not know.
 uint again(uint index) { return index + (pooled_row < 0 ? 1u : 0u); }
 
-// What the walk needs from cell to cell.
+// Loads what the walk needs from cell to cell.
 void reloadGrid() {
     pooled_row = int(again(uint(pooled_row)));
     instance.grid_size = pooledRow(kGridSizeRow);
@@ -56,7 +57,7 @@ void reloadGrid() {
     instance.words = pooledRow(kWordsRow);
 }
 
-// What it needs for the list of a cell.
+// Loads what the walk needs for the list of a cell.
 void reloadLists() {
     pooled_row = int(again(uint(pooled_row)));
     instance.quads = pooledRow(kQuadsRow);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Integrator ambient: light from bright surroundings, as far as surfaces nearby leave it (ambient occlusion; Zhukov et
-// al., An Ambient Light Illumination Model, 1998). A hit takes one short shadow ray.
+// Integrator ambient: light from bright surroundings, as far as nearby surfaces do not block it (ambient occlusion;
+// Zhukov et al., An Ambient Light Illumination Model, 1998). A hit takes one short shadow ray.
 #ifndef POINTRT_SHADERS_AMBIENT_GLSL
 #define POINTRT_SHADERS_AMBIENT_GLSL
 #include "shaders/shade/lights.glsl"
@@ -8,8 +8,8 @@
 
 const bool kIsAmbient = integratorHas(kIntegrator, INTEGRATOR_IS_AMBIENT);
 
-// The farthest that surfaces occlude, in heights of the picture: hollows are as dark at every zoom. Ends of rays are
-// spread up to it, so that occlusion fades with distance.
+// The largest distance at which surfaces occlude, in heights of the picture: hollows are equally dark at every zoom.
+// The ends of rays are spread up to it, so that occlusion fades with distance.
 const float kReachShare = 0.25;
 
 // Height of the scene in the picture at the distance of a point.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Composites what gather_gaussians has gathered in a round, and lists the rays that go on. See composite_gaussians,
-// which does all of this for a single instance.
+// Composites what gather_gaussians has gathered in a round, and lists the rays that continue. See composite_gaussians,
+// which does both for a single instance.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "shaders/lib/path.glsl"
@@ -30,15 +30,15 @@ void main() {
     for (uint k = 0u; k < count && passesLight(sum.light.a); k++) addWaiting(waiting_gaussians[path].each[k], sum);
 
     if (!passesLight(sum.light.a)) sum.light.a = 0.0;
-    bool more = count == WAITING_GAUSSIANS && sum.light.a > 0.0, goes_on = more && !hasStep(STEP_FINAL);
-    listForNextRound(goes_on, path);
+    bool more = count == WAITING_GAUSSIANS && sum.light.a > 0.0, continues = more && !hasStep(STEP_FINAL);
+    listForNextRound(continues, path);
     if (!live) return;
     if (more) setLastComposited(path, waiting_gaussians[path].each[WAITING_GAUSSIANS - 1u]);
-    if (!goes_on) {
+    if (!continues) {
         sum.light.rgb = decodedLight(sum.light.rgb, sum.light.a, loadHit(path).z == NO_INDEX);
         storeSurface(sum.middle.xyz, sum.last.z, true, sum.last.w, sum.light.rgb, sum.last, sum.middle);
         sum.light = surfaceViewOf(sum.light, sum.middle);
     }
     gaussian_light[path] = sum;
-    if (more && !goes_on) atomicAdd(control.cut_rays, 1u);
+    if (more && !continues) atomicAdd(control.cut_rays, 1u);
 }

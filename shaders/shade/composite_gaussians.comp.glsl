@@ -2,8 +2,8 @@
 // Composites an instance of Gaussians in front of the closest hit of each ray: their light, and how much passes from
 // behind.
 //
-// Captures are trained with colours that are display-encoded, so Gaussians are composited so, and the result is decoded
-// once. Over a plain background it is encoded, too, as in viewers of such captures.
+// Captures are trained with display-encoded colours, so Gaussians are composited in that encoding, and the result is
+// decoded once. A plain background is composited in that encoding, too, as in viewers of such captures.
 //
 // To be lit by the scene, each ray sees one surface: where it meets the Gaussian that adds most, with the composited
 // normals, and the composited constant terms as its albedo (deferred shading).
@@ -16,8 +16,10 @@
 struct Composite {
     vec3 light;
     float transmittance;
-    GaussianHit middle; // behind which less than half passes, or the one that adds most; if it is of this instance
-    float most;         // added by one Gaussian; this and the next only if they are lit
+    // the hit behind which less than half passes, or for lit Gaussians the one that adds most; if it is in this
+    // instance
+    GaussianHit middle;
+    float most;         // the most that one Gaussian adds; this and the next only if they are lit
     vec3 normal;        // sum of the normals in render space, each times what its Gaussian adds
 };
 
@@ -38,21 +40,21 @@ void addGaussian(inout Composite sum, GaussianHit hit, vec3 direction) {
 
 bool isTransparent(Composite sum) { return passesLight(sum.transmittance); }
 
-// Returns whether lavapipe has cut the loops: they may run 65,535 times together. Then the hits up to hits.last have
+// Returns whether lavapipe has ended the loops, which may run 65,535 times together. Then the hits up to hits.last have
 // been added.
 bool compositeAlong(inout GaussianHits hits, bool enters, bool live, inout Composite sum) {
     bool going, lives = live;
     do {
         do {
-            going = lives && mayGoOn(hits) && isTransparent(sum);
+            going = lives && mayContinue(hits) && isTransparent(sum);
             addGaussian(sum, nextHit(hits, going), hits.ray.direction);
         } while (going);
         lives = restartIfLost(hits, enters, lives && isTransparent(sum));
     } while (lives);
-    return live && (mayGoOn(hits) || hits.lost.gaussian != NO_INDEX) && isTransparent(sum);
+    return live && (mayContinue(hits) || hits.lost.gaussian != NO_INDEX) && isTransparent(sum);
 }
 
-// As GaussianLight stores it.
+// In the form that GaussianLight stores.
 vec4 middleOf(GaussianRay ray, GaussianHit hit) {
     vec3 normal = renderDirection(normalize(gaussianNormal(hit.gaussian, ray.direction)));
     return vec4(normal, (ray.t_start + hit.t) / cubeScale());

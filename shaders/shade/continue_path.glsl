@@ -7,8 +7,8 @@
 
 const bool kMayDefer = mayRefract && !integratorHas(kIntegrator, INTEGRATOR_IS_STOCHASTIC);
 
-// The ray to follow. defers: the other one is to be deferred. If no more can be, one of the two is chosen at random,
-// with the weight of both.
+// The ray to follow. defers: the other one is to be deferred. If no more rays can be deferred, one of the two is chosen
+// at random, with the weight of both.
 NextRay chooseRay(Shading shading, uint bounce, uint index, uint deferred_count, out bool defers) {
     float u = sample2(imagePixel(index), push.sample_index, dimensionPair(bounce, PAIR_CHOICES), params.seed).y;
     float first = luminance(shading.first.weight), second = luminance(shading.second.weight);

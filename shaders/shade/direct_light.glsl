@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Next event estimation: light samples and shadow rays of a direct-lighting query. Several programs need the same
-// samples: they depend on the query and the sample's random numbers alone.
+// samples, so these depend only on the query and the sample's random numbers.
 #ifndef POINTRT_SHADERS_DIRECT_LIGHT_GLSL
 #define POINTRT_SHADERS_DIRECT_LIGHT_GLSL
 #include "shaders/lib/path.glsl"
@@ -43,7 +43,7 @@ uint lightOfSample(uint number, uint path, uint bounce) {
     return min(uint(u * float(params.light_count)), params.light_count - 1u);
 }
 
-// Beyond the pairs of any bounce.
+// Beyond the pairs that bounces use.
 #define FIRST_LIGHT_PAIR 2048u
 
 LightSample sampleAnyLight(Light light, vec3 position, vec2 u) {
@@ -73,7 +73,7 @@ uint shapeOfLight(Light light) {
 
 bool facesLight(DirectLightQuery query, LightSample to) { return dot(query.normal, to.direction) > 0.0; }
 
-// Shadow rays end just short of their light: by a share of the distance larger than the rounding of floats.
+// Shadow rays end just before their light: by a share of the distance that is larger than the rounding of floats.
 const float kBeforeLight = 0.99999;
 
 // A light sample and the start of its shadow ray.
@@ -94,7 +94,7 @@ LightRay lightRay(DirectLightQuery query, uint path, uint number) {
     return ray;
 }
 
-// Whether a light sample is tested for occlusion. Previews show the shadows of the key light only, as cues of position.
+// Whether a light sample is tested for occlusion. Previews show only the shadows of the key light, as cues of position.
 bool castsShadow(LightRay ray) {
     return hasOption(OPTION_SHADOWS) && (!hasStep(STEP_PREVIEW) || ray.number == 0u);
 }

@@ -16,11 +16,11 @@ void accumulateLight(uint path, vec3 light, uint scatterings) {
     film[filmIndex(path, LAYER_INDIRECT)].w += luminance(light);
 }
 
-// Whether paths may change LAYER_DIRECT. The light that reaches those that have scattered more than once is indirect.
+// Whether paths may change LAYER_DIRECT. Light that reaches paths which have scattered more than once is indirect.
 bool mayAddDirect() { return kCameraPass || !kOneBounce || hasStep(STEP_DIRECT); }
 
-// The layers from first on: 0, or FILM_LAYERS for the earlier batches. Without those that only the camera pass changes,
-// or photons.
+// The sums of the layers from first on: 0, or FILM_LAYERS for the earlier batches. Excludes layers that only the camera
+// pass or photons change.
 PixelSums loadSums(uint path, uint first) {
     PixelSums sums = kNoSums;
     if (mayAddDirect()) sums.direct = film[filmIndex(path, first + LAYER_DIRECT)];

@@ -25,8 +25,8 @@ void accumulateCaustic(inout PixelSums sums, vec3 light) {
     sums.indirect.w += luminance(light);
 }
 
-// Starts a sample: accumulates its coverage (1 if the scene itself is hit) and the albedo of the hit. The moments of the
-// luminance take in the sample before. The first sample clears the sums.
+// Starts a sample: accumulates its coverage (1 if the scene itself is hit) and the albedo of the hit. Adds the previous
+// sample to the moments of the luminance. The first sample clears the sums.
 PixelSums beginSample(PixelSums sums, float covered, vec3 albedo, uint sample_index) {
     if (sample_index == 0u) sums = kNoSums;
     LuminanceMoments moments = addLuminance(LuminanceMoments(sums.albedo.w, sums.caustic.w), sums.indirect.w,
@@ -35,7 +35,7 @@ PixelSums beginSample(PixelSums sums, float covered, vec3 albedo, uint sample_in
                      vec4(sums.caustic.rgb, moments.squares), vec4(sums.albedo.rgb + albedo, moments.mean));
 }
 
-// The last sample's luminance and the mean luminance are no sums: they stay with the current batch.
+// The last sample's luminance and the mean luminance are not sums: they stay with the current batch.
 PixelSums addBatch(PixelSums earlier, PixelSums batch) {
     return PixelSums(earlier.direct + batch.direct, vec4(earlier.indirect.rgb + batch.indirect.rgb, 0.0),
                      earlier.caustic + batch.caustic, vec4(earlier.albedo.rgb + batch.albedo.rgb, 0.0));

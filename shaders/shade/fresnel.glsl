@@ -15,8 +15,8 @@ float facingReflectance(float index) {
     return r * r;
 }
 
-// Fresnel's equations for unpolarized light. cosine > 0; eta: index of refraction in front of the boundary over the one
-// behind. cosine_behind: of the refracted direction; 0 beyond the critical angle, where all light is reflected.
+// Fresnel's equations for unpolarized light. cosine > 0; eta: ratio of the indices of refraction in front of and behind
+// the boundary. cosine_behind: of the refracted direction; 0 beyond the critical angle, where all light is reflected.
 float dielectricReflectance(float cosine, float eta, out float cosine_behind) {
     cosine_behind = sqrt(max(0.0, 1.0 - eta * eta * (1.0 - cosine * cosine)));
     float across = (eta * cosine - cosine_behind) / (eta * cosine + cosine_behind);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Several instances of Gaussians are composited in rounds. This gathers, in each round and for each instance, the first
+// Several instances of Gaussians are composited in rounds. In each round and for each instance, this gathers the first
 // Gaussians along a ray behind those that have been composited; blend_gaussians and blend_first_hits composite them in
 // the order of all instances.
 #version 460
@@ -11,15 +11,15 @@
 #include "shaders/trace/splat.glsl"
 #include "shaders/trace/waiting_gaussians.glsl"
 
-// Share of a distance, and of the cube, by which the walk begins before the last Gaussian and ends behind the farthest
-// that waits: stored distances have been rounded twice.
+// Margins, relative to the distance and to the cube: the walk begins this much before the last Gaussian and ends this
+// much behind the farthest that waits, since stored distances have been rounded twice.
 const float kSlack = 4e-6;
 
 // A render distance along the ray, from where it enters the cube.
 float earlier(float t, GaussianRay ray) { return t * cubeScale() - ray.t_start - kSlack * (1.0 + t * cubeScale()); }
 float later(float t, GaussianRay ray) { return t * cubeScale() - ray.t_start + kSlack * (1.0 + t * cubeScale()); }
 
-// Looks of a Gaussian; first hits store whose it is in place of its colour.
+// The colour of a Gaussian; for first hits, its owner in place of the colour.
 void storeLook(inout WaitingGaussian waiting, GaussianHit hit, vec3 direction) {
     vec4 look = loadGaussianRow(hit.gaussian, 3u);
     uint opacity = packUnorm2x16(vec2(0.0, alphaAt(look.x, hit.distance_squared)));
@@ -51,7 +51,7 @@ void gatherAlong(uint path, inout GaussianHits hits, inout uint count, bool live
         float farthest = insertWaiting(path, found, waits, count);
         hits.lost.t = min(hits.lost.t, later(farthest, hits.ray));
     } while (going);
-    if (live && !hasWalked(hits)) atomicAdd(control.cut_rays, 1u); // lavapipe has cut the loops
+    if (live && !hasWalked(hits)) atomicAdd(control.cut_rays, 1u); // lavapipe has ended the loops
 }
 
 void main() {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What composites of Gaussians share, whether of one instance or of several.
+// Shared by all programs that composite Gaussians, of one instance or of several.
 #ifndef POINTRT_SHADERS_GAUSSIAN_COMPOSITE_GLSL
 #define POINTRT_SHADERS_GAUSSIAN_COMPOSITE_GLSL
 #include "shaders/lib/color.glsl"
@@ -13,13 +13,13 @@
 
 bool passesLight(float transmittance) { return transmittance >= GAUSSIAN_TRANSMITTANCE_MIN; }
 
-// The display-encoded colour of a Gaussian along a ray; of Gaussians that the scene lights their albedo.
+// The display-encoded colour of a Gaussian along a ray; the albedo if the scene lights Gaussians.
 vec3 gaussianColor(uint gaussian, vec4 look, vec3 direction) {
     return max(kRelights ? look.yzw : look.yzw + harmonicsAlong(gaussian, direction), vec3(0.0));
 }
 
-// Linear light, for what lies behind to be added with the share that passes. background: what the ray sees there if it
-// hits nothing.
+// Linear light, to which the light from behind is added with the share that passes. background: what the ray sees
+// behind the Gaussians if it hits nothing.
 vec3 decodedLight(vec3 encoded, float passes, bool misses) {
     bool plain = !kSkyImage && params.sky_zenith == params.sky_horizon && params.sky_ground == params.sky_horizon;
     vec3 background = params.sky_horizon;
@@ -29,8 +29,7 @@ vec3 decodedLight(vec3 encoded, float passes, bool misses) {
     return plain && misses && !hasOption(OPTION_TRANSPARENT) && !kRelights ? over : alone;
 }
 
-// Integrators normal and depth show where a ray's middle lies as if a surface were there; no light passes it. Rays without
-// a middle see what is behind.
+// Integrators normal and depth show a ray's middle as an opaque surface. Rays without a middle see what is behind.
 // light: of the Gaussians, and the share that passes; middle: of GaussianLight
 vec4 surfaceViewOf(vec4 light, vec4 middle) {
     if (kShading != SHADING_NORMAL && kShading != SHADING_DEPTH) return light;
@@ -49,8 +48,8 @@ float radiusOf(uint gaussian) {
     return 1.0 / (3.0 * sqrt(middle) * cubeScale());
 }
 
-// What GaussianLight stores of Gaussians that the scene lights.
-// normal: the sum of normals; most: that one of them adds
+// Data that GaussianLight stores of Gaussians that the scene lights. normal: the sum of normals; most: the most that
+// one Gaussian adds
 void storeSurface(vec3 normal, float most, bool complete, float radius, vec3 light, inout vec4 next, inout vec4 middle) {
     if (!kRelights) return;
     float length_squared = dot(normal, normal);

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// What composite_gaussians has found in front of the hit of a path.
+// The results of composite_gaussians: the light in front of the hit of a path.
 #ifndef POINTRT_SHADERS_GAUSSIAN_LIGHT_GLSL
 #define POINTRT_SHADERS_GAUSSIAN_LIGHT_GLSL
 #include "shaders/lib/path.glsl"
 
-// Light, by the throughput of the path, and the share that passes.
+// Light, weighted by the throughput of the path, and the share that passes.
 vec4 loadGaussianLight(uint path) { return kHasGaussians ? gaussian_light[path].light : vec4(0.0, 0.0, 0.0, 1.0); }
 
 // Returns the light that Gaussians add to a path, which keeps the share that passes.
@@ -15,8 +15,8 @@ vec3 passGaussians(inout PathState path, vec4 gaussians) {
     return light;
 }
 
-// Coverage and albedo of a pixel whose ray passes Gaussians before a hit of these. As they emit what they show, their
-// light counts as albedo, unless the scene lights them.
+// Coverage and albedo of a pixel whose ray passes through Gaussians before its hit, which has these. Gaussians emit
+// what they show, so their light counts as albedo, unless the scene lights them.
 float coverageBehind(float covered, vec4 gaussians) {
     return kHasGaussians ? 1.0 - gaussians.a * (1.0 - covered) : covered;
 }

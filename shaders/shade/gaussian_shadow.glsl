@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
-// What an instance of Gaussians lets pass of a shadow ray.
+// The transmittance of an instance of Gaussians along a shadow ray.
 #ifndef POINTRT_SHADERS_GAUSSIAN_SHADOW_GLSL
 #define POINTRT_SHADERS_GAUSSIAN_SHADOW_GLSL
 #include "shaders/trace/splat.glsl"
 #include "shaders/trace/gaussian_transmittance.glsl"
 
-// A ray with negative t_max meets none.
+// A ray with negative t_max hits nothing.
 float passedByGaussians(ShadowRay shadow, bool live) {
     bool enters, cut;
-    // rays of lit Gaussians, which alone have no owner, do not meet their own surface
+    // rays from lit Gaussians, the only ones without an owner, must not hit their own surface
     float start = kRelights && shadow.owner == NO_OWNER ? shadow.self_t : 0.0, t_max = shadow.t_max - start;
     vec3 origin = kRelights ? shadow.origin + start * shadow.direction : shadow.origin;
     GaussianRay ray = gaussianRay(origin, shadow.direction, t_max * cubeScale(), enters);

@@ -19,7 +19,7 @@ struct LightSample {
 };
 
 // Angle of (x, y) for y >= 0, 0 to pi, with an error of 3e-7. Vulkan allows atan an error of 4096 units in the last
-// place, which is too much for solid angles, the differences of angles. Polynomial: Cephes, atanf.
+// place, which is too much for solid angles, as these are differences of angles. Polynomial: Cephes, atanf.
 float arcOf(float x, float y) {
     float width = abs(x);
     // rotated so that the quotient is at most tan(pi / 8)

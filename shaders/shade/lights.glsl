@@ -19,7 +19,7 @@
 #include "shaders/shade/spot_light.glsl"
 #include "shaders/shade/sun_light.glsl"
 
-// A program may restrict the kinds.
+// A program may define which kinds it supports.
 #ifndef mayHaveLight
 #define mayHaveLight(kind) true
 #endif

@@ -12,11 +12,11 @@
 
 #include "shaders/shared/scene_layout.h"
 
-// A program may restrict the kinds,
+// A program may define which kinds it supports,
 #ifndef mayHaveMaterial
 #define mayHaveMaterial(kind) true
 #endif
-// say that none has a glossy lobe, which saves table lookups,
+// that none has a glossy lobe, which saves table lookups,
 #ifndef mayBeRough
 #define mayBeRough true
 #endif
@@ -181,10 +181,10 @@ Bsdf materialBsdf(Material material, vec3 albedo, bool back, float cosine) {
     return s;
 }
 
-// Whether there is a lobe other than mirror reflection and refraction.
+// Whether there is a lobe besides mirror reflection and refraction.
 bool hasSmoothLobe(Bsdf s) { return s.glossy_chance + s.matte_chance > 0.0; }
 
-// Whether next event estimation cannot have sampled this direction.
+// Whether next event estimation cannot sample this direction.
 bool isDelta(Scattering scattering) { return scattering.pdf == 0.0; }
 
 // The two smooth lobes for a pair of directions, both times dot(n, wi), and the density of wi in sampleBsdf. All 0 for

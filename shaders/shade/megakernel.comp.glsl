@@ -63,13 +63,13 @@ void shadeBounce(inout PathLoop loop, SurfaceInteraction hit, uint index) {
 }
 
 // lavapipe silently ends all loops of a program once they have run 65,535 iterations together. Half of that is left for
-// loops of unknown length: gathering takes an iteration per photon, one or two thousand where photons are dense.
+// loops of unknown length: gathering photons takes an iteration per photon, one or two thousand where they are dense.
 const uint kMostIterations = 32768u, kMostGathers = 16u;
 
 // Loop iterations per bounce: one per shape, for the next ray and the shadow ray together, and one for the bounce.
 uint iterationsPerBounce() { return ofLane(params.shape_count) + 1u; }
 
-// Whether another iteration pays: at most one lane in eight may be waiting for instances.
+// Whether another iteration is worthwhile: if at most one lane in eight waits for instances.
 bool continuesLoop(PathLoop loop, uint bounces) {
     uint waiting = subgroupBallotBitCount(subgroupBallot(loop.queued));
     bool may = bounces * iterationsPerBounce() < kMostIterations && (!kGathersPhotons || bounces < kMostGathers);
@@ -84,7 +84,8 @@ void queueShadowRays(PathLoop loop, uint index) {
         if (waits) shadow_rays[index] = loop.shadow;
     } else {
         if (waits) light_queries[index] = loop.query;
-        if (waits && kInlineNee) light_masks[index] = ~loop.shadows_wait; // the other samples are already accumulated
+        // the other samples have been accumulated already
+        if (waits && kInlineNee) light_masks[index] = ~loop.shadows_wait;
         uint samples = kInlineNee ? lightSampleCount() : 0u;
         for (uint number = 0u; number < samples; number++)
             appendEntry(LIST_SHADOW_RAYS, (loop.shadows_wait >> number & 1u) != 0u,
@@ -98,7 +99,7 @@ void main() {
     bool live = index != NO_INDEX;
     index = live ? index : 0u; // idle lanes take part: appending needs the whole subgroup
     uvec4 hit = live ? loadHit(index) : kNoHit;
-    // on lavapipe a branch would cost as much as what it skips
+    // on lavapipe, a branch would cost as much as the code that it skips
     bool on_splats = !kOneBounce || (hit.z != NO_INDEX && hit.w != OWNER_SHAPES);
     SurfaceInteraction splats = noInteraction();
     if (on_splats) splats = splatInteraction(index, path, hit);

@@ -14,10 +14,10 @@ struct PathLoop {
     PathState path;
     uvec4 hit;              // of the path's ray
     PixelSums sums;         // of the pixel in the film
-    bool running;           // the path continues in this loop,
-    bool queued;            // or in the next pass,
-    bool ray_waits;         // after instances were intersected with its ray,
-    uint shadows_wait;      // or with shadow rays: a bit for each light sample
+    bool running;           // the path continues in this loop
+    bool queued;            // the path continues in the next pass
+    bool ray_waits;         // queued: its ray must first be intersected with instances
+    uint shadows_wait;      // queued: so must its shadow rays, a bit for each light sample
     ShadowRay shadow;       // with one light sample: the shadow ray that waits
     DirectLightQuery query; // with all lights: the point whose shadow rays wait
     uint rays, shadow_rays; // traced in this loop

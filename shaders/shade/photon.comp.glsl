@@ -10,7 +10,7 @@
 #include "shaders/shade/scattered_path.glsl"
 #include "shaders/lib/append.glsl"
 
-// Each photon is emitted to one target. Other targets on its way have their own photons, so it does not count there.
+// Each photon is emitted to one target. Other targets in its way get their own photons, so it does not count for them.
 bool hitsTarget(PathState path, SurfaceInteraction point) {
     uint target = point.owner | (point.owner == OWNER_SHAPES ? point.primitive << PHOTON_SHAPE_SHIFT : 0u);
     return path.target == target;

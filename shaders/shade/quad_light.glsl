@@ -45,7 +45,7 @@ bool isNear(SeenQuad quad) {
     return quad.squared_distance < kSolidAngleReach * dot(size, size);
 }
 
-// Sine of the angle that lengths subtend at a distance.
+// Sine of the angle that a length subtends at a distance, for two lengths.
 vec2 seenSine(vec2 len, float distance) { return len * inversesqrt(len * len + distance * distance); }
 
 // Signed solid angle between x = 0 and x of the strip y.x to y.y at depth: asin(s(x) s(y.y)) - asin(s(x) s(y.x)), where
@@ -95,7 +95,7 @@ LightSample sampleQuad(Light light, vec3 point, vec2 u) {
     vec2 at = near ? solidAnglePoint(quad, ends, u) : mix(quad.lo, quad.hi, u);
     vec3 way = at.x * quad.x_axis + at.y * quad.y_axis + quad.depth * quad.z_axis;
     float squared = max(dot(way, way), 1e-30), distance = sqrt(squared);
-    // solid angle of the rectangle if it were all at this distance and angle
+    // solid angle of the rectangle if all of it were at this distance and angle
     float seen_area = quad.area * quad.depth / (squared * distance);
     float solid_angle = near ? max(ends.y - ends.x, 0.0) : seen_area;
     float pdf = near ? nearQuadPdf(ends) : 1.0 / max(seen_area, 1.0 / kHighestPdf);

@@ -22,7 +22,7 @@ PathState scatteredPath(SurfaceInteraction point, PathState path, NextRay ray, u
     bits |= diffused ? PATH_DIFFUSED : 0u;
     bits |= is_delta && diffused && (point.bits & SURFACE_CASTS) != 0u ? PATH_CAUSTIC : 0u;
     bits ^= crosses && !isThin(row) ? PATH_INSIDE : 0u;
-    // the stored orientation: of two sheets close to each other, the ray can hit the other one
+    // the stored orientation, since the ray may hit the other one of two close sheets
     vec3 stored_normal = isBack(point) ? -point.normal : point.normal;
     return PathState(origin, self_t, ray.direction, ray.pdf, ray.weight, 0u, stored_normal, bits);
 }

@@ -12,7 +12,7 @@ Shading shadeAmbient(PathState path, SurfaceInteraction point, Material row, Bsd
     if (point.t < 0.0) return onlyRadiance(path.throughput * skySeen(path));
     float facing = clamp(-dot(point.normal, path.direction), 0.0, 1.0);
     vec3 unoccluded = point.albedo * mix(kEdgeBrightness, 1.0, facing);
-    if (isBackdrop(point)) unoccluded = params.sky_horizon; // floors go over into the sky
+    if (isBackdrop(point)) unoccluded = params.sky_horizon; // floors blend into the sky
     return Shading(path.throughput * row.emission.rgb, path.throughput * unoccluded, noRay(), noRay());
 }
 

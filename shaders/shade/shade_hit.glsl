@@ -11,7 +11,7 @@
 #include "shaders/shade/shade_path.glsl"
 #include "shaders/shade/shade_view.glsl"
 
-// Whether the hit covers the pixel: the scene does, its surroundings do not.
+// Whether the hit covers the pixel: hits on the scene do, hits on its surroundings do not.
 bool covers(SurfaceInteraction point) { return point.t >= 0.0 && !isBackdrop(point); }
 
 // Calls the shading function of the integrator that the program is built for.
@@ -30,7 +30,7 @@ struct ShadedHit {
     Shading shading;
 };
 
-// A hit from behind leaves glass; without oriented normals, every second hit does.
+// A hit from behind means that the path leaves glass; without oriented normals, every second hit does.
 ShadedHit shadeAt(PathState path, SurfaceInteraction point, uint index) {
     resolveSides(point, path);
     bool back = isBack(point);

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// Multiplies the light of Gaussians by the ratio of the irradiance with and without the objects that shadow them, at the
-// points of LIST_DIRECT_LIGHT (Debevec, Rendering Synthetic Objects into Real Scenes, 1998: differential rendering).
-// Lit Gaussians are multiplied by what a matte surface there reflects of the scene's light: their light is their albedo.
+// Multiplies the light of Gaussians by the ratio of the irradiance with and without the objects that shadow them, at
+// the points of LIST_DIRECT_LIGHT (Debevec, Rendering Synthetic Objects into Real Scenes, 1998: differential
+// rendering). The light of lit Gaussians is their albedo, so it is multiplied by the scene's light that a matte surface
+// there reflects.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "shaders/shade/direct_light.glsl"
@@ -10,7 +11,7 @@ vec3 irradianceOf(DirectLightQuery query, LightSample to) {
     return max(dot(query.normal, to.direction), 0.0) * to.radiance_over_pdf;
 }
 
-// A sample of each light, where only one of them is tested for occlusion.
+// A sample of each light, if only one of them is tested for occlusion.
 vec3 irradianceUnshadowed(DirectLightQuery query, uint path, uint tested) {
     vec3 sum = vec3(0.0);
     for (uint number = 0u; number < params.light_count; number++) {
@@ -23,7 +24,8 @@ vec3 irradianceUnshadowed(DirectLightQuery query, uint path, uint tested) {
     return sum;
 }
 
-// What a white matte surface reflects of the lights that are not hidden, and of the sky as phong and whitted add it.
+// The light that a white matte surface reflects from the lights that are not hidden, plus the sky's ambient light as in
+// phong and whitted.
 vec3 reflectedByWhite(DirectLightQuery query, uint path) {
     vec3 irradiance = vec3(0.0);
     uint samples = lightSampleCount(), mask = light_masks[path];
@@ -47,7 +49,7 @@ vec3 shadowRatio(DirectLightQuery query, uint path) {
         hidden += (mask >> number & 1u) != 0u ? irradiance / lightChance() : vec3(0.0);
     }
     if (kSamplesOneLight) lit += irradianceUnshadowed(query, path, lightOfSample(0u, path, query.bounce));
-    // in one-light samples of many lights more may be hidden than is lit: their mean is right
+    // with one light sampled of many, more may be hidden than is lit in a sample: only their means are right
     return 1.0 - hidden / max(lit, vec3(1e-20));
 }
 

@@ -22,7 +22,7 @@ vec3 radianceSun(Light light) {
     return cap > 0.0 ? light.power.xyz / (kPi * cap * (2.0 - cap)) : vec3(0.0);
 }
 
-// Whether an escaped ray hits the disc of the sun. Tested by the sine, which is precise at small angles.
+// Whether an escaped ray hits the disc of the sun. Compares sines, which are precise at small angles.
 bool hitsSun(Light light, vec3 direction) {
     vec3 across = cross(direction, light.axis.xyz);
     float cap = sunCap(light);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Binding numbers of all buffers, shared by GLSL's layout() and C++'s descriptor sets. Names prevent what reflection
-// cannot detect: swapped texel buffers of the same type. Numbers are unique within a set
+// Binding numbers of all buffers, shared by GLSL's layout() and C++'s descriptor sets. Names prevent mistakes that
+// reflection cannot detect: swapped texel buffers of the same type. Numbers are unique within a set
 // (tests/runtime/gpu/test_shader_interface.cpp), and the C++ type Binding rejects plain integers.
 #ifndef POINTRT_SHADERS_BINDINGS_H
 #define POINTRT_SHADERS_BINDINGS_H

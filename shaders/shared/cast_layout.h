@@ -8,7 +8,7 @@
 namespace pointrt::gpu {
 #endif
 
-// Beyond any hit: t_max of unbounded rays.
+// Farther than any hit: t_max of unbounded rays.
 #define CAST_FARTHEST 1e30f
 
 // In render space. The origin has been moved along the ray close to the instance, to keep float precision.
@@ -33,7 +33,7 @@ struct CastHit {
 // Range of squared lengths (of directions, and of distances of origins in world units) that float arithmetic handles.
 #define GIVEN_LEAST 1e-30f
 #define GIVEN_MOST 1e30f
-// Share of the float distance to the scene that never overshoots it: 1 less a few times 2^-24.
+// Factor for the float distance to the scene that keeps it from being too large: 1 less a few times 2^-24.
 #define GIVEN_SHORT 0.999999f
 
 // Transform between the caller's rays and rays in an instance's cube.

@@ -6,7 +6,7 @@
 
 // The words of a first hit (params.h), by index.
 #define HIT_SPLAT 0u // or shape
-#define HIT_OWNER 1u // low bits: the owner; above: 1 + number of the tile in its set, 0 outside sets
+#define HIT_OWNER 1u // low bits: the owner; higher bits: 1 + number of the tile in its set, 0 outside sets
 #define HIT_MATERIAL 2u
 #define HIT_TILE_SHIFT 8u
 #define HIT_OWNER_MASK 0xFFu
@@ -23,7 +23,8 @@
 //             knows it as SHOWN_NAME and ShownAs::HOW (runtime/image/film_views.h) and draws it with that function of
 //             shaders/display/resolve.comp.glsl
 //
-// rgba         linear radiance with the background; coverage by the scene: of Gaussians alone, their opacity
+// rgba         linear radiance with the background; coverage by the scene; for Gaussians without a hit behind, their
+// opacity
 // depth        distance along the centre ray from its origin, input units; of Gaussians, to where half of the light is
 //              hidden
 // normal       unit vector, facing the eye; of Gaussians, the shortest axis

@@ -21,7 +21,7 @@ struct GaussianRows {
 // In the near splat buffer: a node of the tree, one texel.
 struct GaussianNode {
     uint children; // node number of the first of 8; 0: none
-    uint first;    // in the brick buffer, which holds the lists
+    uint first;    // index in the brick buffer, which holds the lists
     uint count;
     uint parent; // NO_INDEX at the root
 };
@@ -30,11 +30,11 @@ struct GaussianNode {
 // Texels per Gaussian by degree: 0, 1, 2, 4.
 #define HARMONIC_TEXELS(degree) ((degree) == 3u ? 4u : (degree))
 
-// Opacity along a ray below which a Gaussian does not count, and the most that it may have: of the definition (Kerbl et
-// al., 3D Gaussian Splatting for Real-Time Radiance Field Rendering, 2023).
+// Opacity along a ray below which a Gaussian does not count, and the largest opacity that it may have, as defined by
+// Kerbl et al., 3D Gaussian Splatting for Real-Time Radiance Field Rendering, 2023.
 #define GAUSSIAN_ALPHA_MAX 0.99f
 
-// A ray ends where less light than this passes, as in Kerbl et al.
+// A ray ends if less light than this passes, as in Kerbl et al.
 #define GAUSSIAN_TRANSMITTANCE_MIN 1e-4f
 
 #ifdef __cplusplus

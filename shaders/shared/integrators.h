@@ -9,7 +9,7 @@
 #define INTEGRATOR_IS_STOCHASTIC 2u      // samples one light and one ray at each hit; the others sample every light
 #define INTEGRATOR_MIRRORS_HIGHLIGHTS 4u // matte surfaces with a highlight also mirror, by Fresnel
 #define INTEGRATOR_HAS_BOUNCES 8u        // the window offers bounces and caustics
-#define INTEGRATOR_IS_AMBIENT 16u        // shades with the light that surfaces nearby leave of a bright surrounding
+#define INTEGRATOR_IS_AMBIENT 16u // shades with the light of bright surroundings that nearby surfaces do not block
 
 // clang-format off
 // The functions that shade a hit; integrators may share one. X(number, NAME, function)

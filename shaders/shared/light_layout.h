@@ -16,10 +16,10 @@ namespace pointrt::gpu {
 // In the order of LightDescription's alternatives.
 #define LIGHT_POINT 0
 #define LIGHT_SPOT 1
-#define LIGHT_SUN 2 // a distant disc, or a direction where its angle is 0
+#define LIGHT_SUN 2 // a distant disc, or a direction if its angle is 0
 #define LIGHT_SPHERE 3
 #define LIGHT_QUAD 4 // two-sided
-#define LIGHT_DISC 5 // likewise
+#define LIGHT_DISC 5 // two-sided
 
 // clang-format off
 // row(number, name, whether it has a surface; if so it is a shape too)
@@ -46,11 +46,11 @@ struct Light {
     vec4 power;
     vec4 axis;   // unit vector: spot: direction it points in; sun: direction towards it; quad, disc: normal
     vec4 edge_u; // quad: half an edge; disc: a radius
-    vec4 edge_v; // perpendicular to edge_u, likewise
+    vec4 edge_v; // perpendicular to edge_u: likewise
 };
 #define LIGHT_VECTORS 5
 
-// Names for components of the vectors that hold other values. GLSL may only read them, C++ may also assign them.
+// Names for vector components that hold other values. GLSL may only read them, C++ may also assign them.
 #define LIGHT_KIND(light) (light).position.w // LIGHT_* as a number
 #define LIGHT_SHAPE(light) (light).edge_v.w  // area lights: index of their shape, as bits
 #define SPOT_OUTER_COSINE(light) (light).axis.w

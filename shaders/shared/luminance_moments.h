@@ -17,7 +17,7 @@ struct LuminanceMoments {
     float squares; // sum of the squared distances from the mean
 };
 
-// samples: with the added one.
+// samples: number including the added one.
 POINTRT_SHARED_FUNCTION LuminanceMoments addLuminance(LuminanceMoments before, float added, float samples) {
     float change = added - before.mean;
     LuminanceMoments after;

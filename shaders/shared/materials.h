@@ -19,7 +19,7 @@
 #define MATERIAL_REFRACTS 2u         // splits a ray into a reflected and a refracted one
 #define MATERIAL_IS_ROUGH 4u         // has a GGX lobe
 #define MATERIAL_MIRRORS_BY_SHARE 8u // reflects rays and casts caustics in proportion to its mirror share
-#define MATERIAL_SHOWS_DIRECTION 16u // its look depends on where light comes from, which photons do not record
+#define MATERIAL_SHOWS_DIRECTION 16u // its look depends on the direction of light, which photons do not record
 
 // clang-format off
 // X(number, NAME, Name, word, label, lobes, traits)

@@ -3,8 +3,9 @@
 #ifndef POINTRT_SHADERS_PANORAMA_H
 #define POINTRT_SHADERS_PANORAMA_H
 
-// Eyes are the full distance apart up to a latitude of 60 degrees, whose cosine this is. From there on they approach
-// each other: at the poles every longitude looks the same way, from as many places, and what is there would swirl.
+// Eyes are the full distance apart up to a latitude of 60 degrees, whose cosine this is. Beyond it they approach each
+// other: at the poles, every longitude looks in the same direction but from another place, so the picture would swirl
+// there.
 #define PANORAMA_FULL_STEREO_COSINE 0.5f
 
 #endif

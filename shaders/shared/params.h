@@ -17,20 +17,20 @@ namespace pointrt::gpu {
 // Square tile of pixels whose camera rays share a beam.
 #define TILE_SIDE 8u
 #define TILE_PIXELS 64u
-// Free distance of a beam that misses everything. Of pooled tiles each has its own.
+// Free distance of a beam that misses everything. Each pooled tile has its own beams.
 #define BEAM_MISSES 1e30f
 
 // Features of a scene (shaders/lib/features.glsl).
 #define FEATURE_LIGHT(kind) (1u << uint(kind))
 #define FEATURE_MATERIAL(kind) (1u << (8u + uint(kind)))
 #define FEATURE_SHAPE(kind) (1u << (16u + uint(kind)))
-#define FEATURE_CLIPS (1u << 25)      // clips cut some instance
+#define FEATURE_CLIPS (1u << 25)      // clips cut at least one instance
 #define FEATURE_RELIGHT (1u << 26)    // Gaussians are surfaces that the scene lights
-#define FEATURE_GAUSSIANS (1u << 27)  // some instance holds Gaussians
-#define FEATURE_HIGHLIGHTS (1u << 28) // some material has a Phong highlight
+#define FEATURE_GAUSSIANS (1u << 27)  // at least one instance holds Gaussians
+#define FEATURE_HIGHLIGHTS (1u << 28) // at least one material has a Phong highlight
 #define FEATURE_INLINE_NEE (1u << 29) // the megakernel samples lights itself; else it queues direct-lighting queries
-#define FEATURE_NOISE (1u << 30)      // some scan stores noise
-#define FEATURE_SECONDARY_RAYS (1u << 31) // some surface may reflect, refract or scatter rays
+#define FEATURE_NOISE (1u << 30)      // at least one scan stores noise
+#define FEATURE_SECONDARY_RAYS (1u << 31) // at least one surface may reflect, refract or scatter rays
 
 #define OPTION_BLEND 1u
 #define OPTION_SHADOWS 2u
@@ -45,7 +45,7 @@ namespace pointrt::gpu {
 // All positions and lengths are in render units.
 struct FrameParams {
     vec3 eye;
-    float tan_half_fov; // of the vertical field of view; 0 with parallel projection
+    float tan_half_fov; // tangent of half the vertical field of view; 0 with parallel projection
     vec3 right;
     float aspect; // width / height
     vec3 up;
@@ -53,16 +53,16 @@ struct FrameParams {
     vec3 forward;
     float unused_0;
     vec3 sky_zenith;     // radiance by the square root of the height over the horizon
-    float ambient_share; // of the sky, which phong and whitted add as unshadowed ambient light
+    float ambient_share; // share of the sky's light that phong and whitted add as unshadowed ambient light
     vec3 sky_horizon;
-    float half_eye_distance; // of a panorama in stereo
+    float half_eye_distance; // for stereo panoramas
     vec3 sky_ground;
     float unused_2;
     vec3 sky_up;       // unit vector
     float depth_black; // distance at which the depth view is black
-    uint width;        // of the image
+    uint width;        // width of the image
     uint height;
-    uint first_row; // of the band; a band starts at a tile boundary or ends within the tile it starts in
+    uint first_row; // of the band; a band starts at a tile boundary, or ends within the tile in which it starts
     uint rows;
     uint light_count;
     uint options; // OPTION_*
@@ -82,14 +82,15 @@ struct FrameParams {
     float unused_7;
     EnvironmentFrame environment;
     CausticFrame caustics;
-    Shape held_shapes[HELD_SHAPES]; // the shapes of the scene if it has no more
+    Shape held_shapes[HELD_SHAPES]; // the scene's shapes, if there are at most this many
 };
 
 // Lists in the queue buffer, named by what they hold.
 #define LIST_DIRECT_LIGHT 0u  // paths with a DirectLightQuery (wavefront), or with a ShadowRay (megakernel)
 #define LIST_INSTANCE_RAYS 1u // paths whose ray may hit instances: intersect_closest
 #define LIST_SHADOW_RAYS 2u   // shadow rays that instances may occlude: intersect_shadow
-#define LIST_CULLED 3u // the first of one list per instance of a cull group: what culling left of one of the above
+// the first of the culled lists, one per instance of a cull group: the entries of a list above that culling left
+#define LIST_CULLED 3u
 // Instances that one culling pass tests a ray against: bits of a cull mask.
 #define CULL_INSTANCES 32u
 #define LISTS 35u // LIST_CULLED + CULL_INSTANCES
@@ -116,18 +117,21 @@ struct Control {
     uint primary_rays; // rays of this sample, by kind
     uint shadow_rays;
     uint secondary_rays;
-    uint cut_rays; // ended before all Gaussians along them were tested
+    uint cut_rays; // rays ended before all Gaussians along them were tested
     uint unused_2;
     RayList lists[LISTS];
 };
 
-// Per path: what Gaussians add in front of its hit.
+// Per path: the light that Gaussians add in front of its hit.
 struct GaussianLight {
-    vec4 light;  // a: the share that passes from behind
-    vec4 last;   // x: t of the last Gaussian added, kWalkEnded if no more come; y: its number
-    vec4 middle; // behind which less than half passes: its normal, and t in render space; kWalkEnded if more passes
-    // Lit by the scene: until all are composited, last.z is the most that one Gaussian adds, last.w its radius, and
-    // middle.xyz the sum of normals; then last.yzw is the albedo, and middle.xyz the normal as long as the radius.
+    vec4 light; // a: the share that passes from behind
+    vec4 last;  // x: t of the last Gaussian added, kWalkEnded if none follow; y: its number
+    // xyz: the normal of the Gaussian behind which less than half passes; w: its t in render space; kWalkEnded if more
+    // passes
+    vec4 middle;
+    // If the scene lights Gaussians: until all are composited, last.z is the most that one Gaussian adds, last.w its
+    // radius, and middle.xyz the sum of normals. Then last.yzw is the albedo, and middle.xyz the normal with the length
+    // of the radius.
 };
 
 // A Gaussian that waits to be composited in the order of all instances.
@@ -139,7 +143,7 @@ struct WaitingGaussian {
     uint blue_opacity; // a half float, above it the opacity along the ray; for first hits material and opacity
     uint normal;       // normalWord in render space
 };
-// So many Gaussians of a ray wait at most: as many as let the buffer of 2^19 paths fit in 128 MiB.
+// The largest number of Gaussians of a ray that wait: with it, the buffer for 2^19 paths fits in 128 MiB.
 #define WAITING_GAUSSIANS 10u
 // Per path: the first Gaussians behind those that have been composited.
 struct WaitingGaussians {
@@ -169,7 +173,7 @@ struct CullBoxes {
 // have. An instance whose list does not fit is intersected with all rays.
 #define CULLED_ENTRIES 16u
 
-// Path state between two dispatches.
+// The state of a path between two dispatches.
 struct PathState {
     vec3 origin;
     float self_t; // self-intersection distance: nearer hits on the surface that the ray left are ignored
@@ -184,17 +188,19 @@ struct PathState {
 #define PATH_BOUNCE_MASK 0xFFu
 #define PATH_DEFERRED_SHIFT 8u // number of deferred rays of the pixel, 0 to MAX_DEFERRED
 #define PATH_DEFERRED_MASK 0xFu
-#define PATH_DIFFUSED 0x1000u // its last scattering, mirrors and glass apart, was on a surface that gathers photons
-#define PATH_INSIDE 0x2000u   // inside glass whose normals are not oriented
-#define PATH_CAUSTIC 0x4000u  // emission it hits is already in the photon map
-#define PATH_OWNER_SHIFT 24u  // owner of the surface it left, NO_OWNER for camera rays
+// its last scattering other than at mirrors and glass was on a surface that gathers photons
+#define PATH_DIFFUSED 0x1000u
+#define PATH_INSIDE 0x2000u  // inside glass whose normals are not oriented
+#define PATH_CAUSTIC 0x4000u // emission that it hits is already in the photon map
+#define PATH_OWNER_SHIFT 24u // owner of the surface it left, NO_OWNER for camera rays
 #define NO_OWNER 254u
 #define PHOTON_SHAPE_SHIFT 8u // in a photon's target
 
-// Most deferred rays of a pixel: the second rays of reflection and refraction pairs, traced later.
+// Largest number of deferred rays of a pixel: the second rays of reflection and refraction pairs, traced later.
 #define MAX_DEFERRED 2u
 
-// What surface stores of a hit on splats, beside the words of hit_texels (shaders/trace/surface_interaction.glsl).
+// Data that surface stores of a hit on splats, in addition to the words of hit_texels
+// (shaders/trace/surface_interaction.glsl).
 struct StoredSurface {
     vec3 normal; // facing the viewer
     uint bits;   // material and SURFACE_*
@@ -204,7 +210,7 @@ struct StoredSurface {
 #define SURFACE_VECTORS 2
 #define SURFACE_MATERIAL_MASK 0xFFFFFFu
 #define SURFACE_SELF_REACH_SHIFT                                                                                       \
-    24u // longest self-intersection distance of rays that leave it (shaders/trace/offset.glsl)
+    24u // largest self-intersection distance of rays that leave the surface (shaders/trace/offset.glsl)
 #define SURFACE_SELF_REACH_MASK 31u
 #define SURFACE_CASTS 0x20000000u // casts caustics: photons are traced through it
 #define SURFACE_SIDED 0x40000000u // normals are oriented, so inside and outside are known
@@ -232,20 +238,20 @@ struct ShadowRay {
     vec3 direction;
     float t_max; // just short of the light; negative: occluded
     vec3 self_normal;
-    uint owner;       // of the surface it left
+    uint owner;       // owner of the surface it left
     vec3 light;       // contribution to the pixel
-    uint scatterings; // of that light on its way to the eye
+    uint scatterings; // number of scatterings of that light on its way to the eye
 };
 #define SHADOW_RAY_VECTORS 4
 
 // Layers of the film, one vector per pixel each: sums over the samples of the current batch. Films of more samples than
 // a batch have the same layers again, from FILM_LAYERS on: sums over the earlier batches, defined once there is one.
 #define LAYER_DIRECT 0u   // light scattered at most once; w: coverage by the scene
-#define LAYER_INDIRECT 1u // w: luminance of the current sample; 0 of earlier batches
-// w: sum of squared deviations of the luminance from its mean (luminance_moments.h): what the batch's samples before
-// the current one, or the earlier batches, have added to it
+#define LAYER_INDIRECT 1u // w: luminance of the current sample; 0 in earlier batches
+// w: part of the sum of squared deviations of the luminance from its mean (luminance_moments.h): added by the batch's
+// samples before the current one, or by the earlier batches
 #define LAYER_CAUSTIC 2u
-#define LAYER_ALBEDO 3u // w: mean luminance of all samples before the current one; 0 of earlier batches
+#define LAYER_ALBEDO 3u // w: mean luminance of all samples before the current one; 0 in earlier batches
 #define FILM_LAYERS 4u
 // Samples of a batch, the square root of kMaxSpp: a sum of 256 like terms keeps 16 of the 24 bits of each, and so does
 // a sum of 256 batches. A sum of all 65,536 samples would keep 8 bits, which is up to 0.2% off.
@@ -257,29 +263,32 @@ struct ShadowRay {
 
 struct PushParams {
     uint sample_index;
-    uint first_light_sample; // of those whose shadow rays this pass traces
+    uint first_light_sample; // number of the first light sample whose shadow rays this pass traces
     uint step;               // STEP_*
     uint list;               // LIST_* or a culled list: the program's input
 };
 
-#define STEP_CENTER 1u        // rays go through pixel centres
-#define STEP_FIRST_HIT 2u     // rays for the first-hit AOVs: surroundings are invisible
-#define STEP_RESET 4u         // prepare: start of a sample
-#define STEP_QUEUE_ONE 8u     // rays are read from queue 1 and appended to queue 0
-#define STEP_PREVIEW 16u      // sample lights at their centres, and trace shadow rays to the first only: no noise
-#define STEP_LIST 32u         // prepare: the list is complete
-#define STEP_HITS 64u         // prepare: empty the hit list for the next instance
-#define STEP_LAST 128u        // intersect_shadow_ray, composite_gaussians: this is the last instance
-#define STEP_PIXEL_LIST 256u  // rays go through the pixels of the pixel list, one per lane
-#define STEP_CULLED 512u      // prepare: the entries of the culled lists have been counted
-#define STEP_FIRST 1024u      // composite_gaussians, gather_gaussians: this is the first instance
-#define STEP_RESUME 2048u     // composite_gaussians: rays that the run before has cut go on; or rays of a list do
-#define STEP_FINAL 4096u      // composite_gaussians: no run of this instance follows; blend_gaussians: no round follows
-#define STEP_FIRST_HITS 8192u // gather_gaussians: for first hits, not for light
+#define STEP_CENTER 1u       // rays go through pixel centres
+#define STEP_FIRST_HIT 2u    // rays for the first-hit AOVs: surroundings are invisible
+#define STEP_RESET 4u        // prepare: start of a sample
+#define STEP_QUEUE_ONE 8u    // rays are read from queue 1 and appended to queue 0
+#define STEP_PREVIEW 16u     // sample lights at their centres, and trace shadow rays only to the first light: no noise
+#define STEP_LIST 32u        // prepare: the list is complete
+#define STEP_HITS 64u        // prepare: empty the hit list for the next instance
+#define STEP_LAST 128u       // intersect_shadow_ray, composite_gaussians: this is the last instance
+#define STEP_PIXEL_LIST 256u // rays go through the pixels of the pixel list, one per lane
+#define STEP_CULLED 512u     // prepare: the entries of the culled lists have been counted
+#define STEP_FIRST 1024u     // composite_gaussians, gather_gaussians: this is the first instance
+// composite_gaussians: continue rays that lavapipe's limit ended in the run before; or rays of a list
+#define STEP_RESUME 2048u
+#define STEP_FINAL 4096u       // composite_gaussians: the last run of this instance; blend_gaussians: the last round
+#define STEP_FIRST_HITS 8192u  // gather_gaussians: for first hits instead of light
 #define STEP_COUNT_HITS 16384u // intersect_closest: count the hits on each pooled tile
-#define STEP_DIRECT 32768u // megakernel with one bounce: some paths have scattered once only, whose light may be direct
+// megakernel with one bounce: some paths have scattered only once, so their light may be direct
+#define STEP_DIRECT 32768u
 
-// hit_texels, pooled tiles: the tile's place among those of its program, above the owner, until surface has read it.
+// hit_texels for pooled tiles, until surface has read them: above the owner, the tile's place among those of its
+// program.
 #define HIT_PLACE_SHIFT 8u
 
 // An entry of LIST_SHADOW_RAYS: the path, and above it the index of its light sample.

@@ -19,8 +19,8 @@ struct Photon {
 // The map consists of photons and of buckets that list them. A photon's flux is spread over a disc that is small where
 // photons are dense: each level has a radius, PHOTON_LEVEL_RATIO times that of the level below, and a grid whose cells
 // are as wide as its discs. Each cell that a disc overlaps (8 at most) lists the photon, so the cell that holds a point
-// lists all photons whose discs reach it. A hash maps cells to buckets; buckets are so many that two cells with photons
-// rarely share one. The words of the buckets: the start of each bucket's list and the end of the last
+// lists all photons whose discs reach it. A hash maps cells to buckets, of which there are enough that two cells with
+// photons rarely share one. The words of the buckets: the start of each bucket's list and the end of the last
 // (PHOTON_BUCKETS + 1 words), then the lists of photon indices, none twice in a bucket.
 #define PHOTON_BUCKETS 1048576u
 #define PHOTON_LEVELS 6
@@ -28,8 +28,8 @@ struct Photon {
 // A disc lights points within its radius and within this share of the radius from its plane.
 #define PHOTON_REACH 0.5f
 
-// Teschner et al., Optimized Spatial Hashing for Collision Detection of Deformable Objects (2003); the last one hashes
-// the level.
+// Teschner et al., Optimized Spatial Hashing for Collision Detection of Deformable Objects (2003); the last number
+// hashes the level.
 #define PHOTON_HASH_X 73856093u
 #define PHOTON_HASH_Y 19349663u
 #define PHOTON_HASH_Z 83492791u

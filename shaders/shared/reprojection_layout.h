@@ -22,7 +22,8 @@ namespace pointrt::gpu {
 #define POINT_MAX_SAMPLES 7u
 #define POINT_FRAME_MASK 0xFFFFu
 
-// Each frame considers one row of pixels in this many, which takes a quarter of the time; so many of a tile's pixels.
+// Each frame considers one row of pixels in this many, which takes a quarter of the time; and the number of considered
+// pixels in a tile.
 #define ROW_PHASES 4u
 #define CONSIDERED_OF_TILE 16u
 // Rounds that balance the number of selected pixels: each finds more pixels that are certain to be selected.
@@ -46,7 +47,7 @@ struct ReprojectionParams {
     uint selected;     // pixels to select, on average
     uint listed;       // pixels traced: the most that can be selected
     uint points;       // places in the cache
-    uint most_gaps;    // beyond, points are resampled
+    uint most_gaps;    // number of gaps beyond which points are resampled
     uint camera_moves; // 0 or 1, as is_noisy
     uint is_noisy;     // Monte Carlo light: one sample is unreliable
     float gain;        // of the light shown
@@ -56,11 +57,11 @@ struct ReprojectionParams {
 };
 
 struct ReprojectionControl {
-    uint point_count; // places used so far; may exceed the number there is, until the next frame
+    uint point_count; // places used so far; may temporarily exceed the number of places, until the next frame
     uint cursor;      // where the search for a replaceable point continues
     uint empty;       // pixels that no point was projected to
     uint unused_0;
-    // of the frame
+    // number of pixels, for the frame
     uint selected;
     uint gaps;         // empty pixels within a surface
     float probability; // that selects a pixel of priority 1
@@ -70,7 +71,7 @@ struct ReprojectionControl {
 // Sums over the considered pixels in a row of tiles.
 struct RowSum {
     float priority;
-    float certain; // pixels that are selected anyway
+    float certain; // pixels that are selected in any case
 };
 
 struct TileColors {
@@ -83,12 +84,12 @@ struct TileColors {
 
 #define REPROJECT_IF_GAPS 1u      // only if there are too many gaps
 #define REPROJECT_SHAPES 2u       // shapes have changed
-#define REPROJECT_KEEPS_POINTS 4u // tiles alone are reset
+#define REPROJECT_KEEPS_POINTS 4u // reset only the tiles
 #define REPROJECT_CLEARS 8u       // removes all points
 
 struct ReprojectionPush {
     uint first; // pixel, or hit
-    uint count; // lanes that do something
+    uint count; // number of lanes that have work
     uint bits;  // REPROJECT_*
     float share;
 };

@@ -58,12 +58,13 @@ struct InstanceParams {
     uvec4 materials; // x: number of this instance, y: first material, z: number of colour ranges, w: 1: casts caustics
     vec4 core_low;   // tiles: corners of the core, grid units; w: margin for rounding of a ray's position
     vec4 core_high;  // w: factor of splat radii for self-intersection distances (shaders/trace/offset.glsl)
-    vec4 harmonics;  // Gaussians: largest harmonics of degree 1, 2, 3, which those of each Gaussian are shares of
+    // Gaussians: largest harmonics of degree 1, 2, 3, relative to which those of each Gaussian are stored
+    vec4 harmonics;
     uvec4 color_range[MAX_COLOR_RANGES]; // x, y: lowest and highest sRGB, 8 bits each, red lowest; z: material
     vec4 clip_planes[MAX_CLIP_PLANES];   // in the cube: points p with dot(xyz, p) >= w are kept; xyz: unit length
 };
 
-// A tile in a block of the device's texel pool, which programs read through one binding with others. Starts of its
+// A tile in a block of the device's texel pool; programs read all tiles of a block through one binding. Starts of its
 // sections in the block: in words, and in texels of four words.
 struct PooledTile {
     InstanceParams instance;

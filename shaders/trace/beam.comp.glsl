@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Beam tracing: the distance that all camera rays of a tile of pixels can skip. One lane per tile marches a beam around
 // its rays through the entry grid: a cone, or a prism with parallel projection. Tiles whose beam leaves the grid are
-// done; the others are queued for intersect_camera. Of tiles in a block each takes a lane per tile of pixels.
+// done; the others are queued for intersect_camera. Each tile of a set in a block takes a lane per tile of pixels.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_KHR_shader_subgroup_ballot : require
@@ -24,8 +24,8 @@ float freeCells(uint word) {
     return skippedCells(min(min(both.x, both.y), min(both.z, both.w)), 0u);
 }
 
-// Lower bound of the Chebyshev distance, in grid units, from a point to all filled cells of a box. From outside, they
-// are no nearer than the box, and no nearer than seen from the nearest point of the box.
+// Lower bound of the Chebyshev distance, in grid units, from a point to all filled cells of a box. From outside the
+// box, filled cells are no nearer than the box, and no nearer than they are to the nearest point of the box.
 float freeAround(vec3 point, Grid grid, vec3 lowest, vec3 highest) {
     float outside = largest(max(lowest - point, point - highest));
     point = clamp(point, lowest, highest);
@@ -38,7 +38,7 @@ float freeAround(vec3 point, Grid grid, vec3 lowest, vec3 highest) {
 
 // Shortest step worth its cost, in cells.
 const float kMinStep = 0.25;
-// Most steps: ends beams that creep along a surface. The distance reached so far is safe.
+// Limit of steps, for beams that creep along a surface. The distance reached so far is safe.
 const int kMaxSteps = 96;
 
 // A bundle of rays around a centre ray, in cube units: origins within width of its origin, directions within spread of
@@ -52,15 +52,15 @@ struct Beam {
 // Bound of the rounding error, relative to the distance from the eye: a few times 2^-24.
 const float kStartRounding = 1e-6;
 
-// In radians. For angles d and e between two latitudes and two longitudes, the directions are at most
+// The spread in radians. For angles d and e between two latitudes and two longitudes, the directions are at most
 // sqrt(d^2 + cos cos e^2) apart, with the cosines of both latitudes.
 Beam panoramaBeam(vec2 middle) {
     vec2 angles = panoramaAngles(middle), size = vec2(params.picture_width, params.picture_height);
     vec2 reach = 0.5 * TILE_SIDE * kPi * vec2(2.0, kIsStereo ? 2.0 : 1.0) / size;
     float cosine = abs(cos(angles.y)), spread = length(reach * vec2(sqrt(cosine * min(1.0, cosine + reach.y)), 1.0));
-    // eyes move along their circle, and towards its middle by what the cosine changes
+    // eyes move along their circle, and towards its middle as the cosine changes
     float width = params.half_eye_distance * (reach.x + reach.y / PANORAMA_FULL_STEREO_COSINE);
-    // rows of both eyes
+    // the tile may have rows of both eyes
     float to_other_eye = abs(middle.y - 0.5 * size.y);
     if (kIsStereo && to_other_eye < 0.5 * TILE_SIDE) width = 2.0 * params.half_eye_distance, spread = 2.0;
     CameraRay ray = panoramaRay(middle);
@@ -73,7 +73,8 @@ Beam tileBeam(vec2 corner) {
     CameraRay ray = rayThrough(middle);
     vec2 start = onPlane(middle, params.half_window);
     float width = distance(onPlane(corner, params.half_window), start) + kStartRounding * length(start);
-    // normalizing never moves two points at distance 1 or more apart: directions differ by no more than on the plane
+    // normalizing never moves apart two points that are at distance 1 or more: directions differ by no more than the
+    // points on the plane
     float spread = distance(onPlane(corner, params.tan_half_fov), onPlane(middle, params.tan_half_fov));
     return Beam(CameraRay(cubePoint(ray.origin), cubeDirection(ray.direction)), width * cubeScale(), spread);
 }
@@ -89,7 +90,7 @@ float marchBeam(Beam beam) {
     float t_far = length(max(abs(lowest - start), abs(highest - start)));
     float t = 0.0, advance = kMinStep;
     int left = kMaxSteps;
-    do { // finished lanes take part until all are: see trace.glsl
+    do { // finished lanes take part until all have finished: see trace.glsl
         bool going = advance >= kMinStep && t < t_far && left > 0;
         float free = freeAround(start + direction * t, grid, lowest, highest);
         float further = (free - width - t * beam.spread) / (largest(abs(direction)) + beam.spread);
@@ -97,16 +98,17 @@ float marchBeam(Beam beam) {
         t = going ? t + max(further, 0.0) : t;
         left--;
     } while (advance >= kMinStep && t < t_far && left > 0);
-    // less the rounding error
+    // minus the rounding error
     return t < t_far ? max(0.0, t * (1.0 - 1e-6) / scale - 2.0 * PRO_POSITION_STEP) : BEAM_MISSES;
 }
 
 // The distance that all rays of a tile of pixels travel without a hit.
 float freeDistance(uint tile) {
-    // around the picture's whole tile, of which a band may hold only some rows: distances do not depend on the bands
+    // around the whole tile of the picture, even if a band has only some of its rows: so distances do not depend on the
+    // bands
     float rows_above = float(params.first_row % TILE_SIDE);
     float safe = marchBeam(tileBeam(pixelCorner(tileCorner(tile)) - vec2(0.0, rows_above)));
-    return hasStep(STEP_PIXEL_LIST) ? 0.0 : safe; // the pixels of a list are not neighbours
+    return hasStep(STEP_PIXEL_LIST) ? 0.0 : safe; // pixels of a list are not neighbours
 }
 
 // All lanes of the subgroup must call it.
@@ -124,7 +126,7 @@ void queueTile(bool queues_it, uint tile) {
 #ifdef POOLED
 #include "shaders/trace/pool_beam.glsl"
 
-// A mask for each tile of pixels of this workgroup, which has at most one per lane.
+// A mask with the tiles of pixels of this workgroup, which has at most one per lane.
 shared uint masks[WORKGROUP_SIZE];
 
 void main() {

@@ -29,11 +29,11 @@ struct BlendedSurface {
 // Lengths in position codes.
 struct Field {
     float weight;
-    float height; // weighted sums from here on
+    float height; // this and the next members are weighted sums
     vec3 normal;
     vec3 color;
     float radius;
-    float heaviest; // largest weight so far, and the material of that splat
+    float heaviest; // largest weight so far; and the material of that splat
     uint material;
 };
 
@@ -53,7 +53,7 @@ vec4 codingInCodes() {
     return vec4(coding.x * PRO_POSITION_STEPS, coding.y, 1.0 / (coding.z * coding.z), coding.w);
 }
 
-// Those of two valid splats that are discs: balls do not blend.
+// Which of two splats are valid and discs: balls do not blend.
 bvec2 discsOf(uvec4 first, uvec4 second, bvec2 valid) {
     return bvec2(valid.x && !isBall(first), valid.y && !isBall(second));
 }
@@ -66,8 +66,8 @@ vec2 blendWeights(vec2 cosine, vec2 flip, vec2 in_plane, vec2 in_slab, bvec2 val
     return mix(vec2(0.0), BLEND_WEIGHT(in_plane, in_slab), bvec2(first, second));
 }
 
-// Adds two splats to the field, each if valid. In pairs because on CPUs the latency of the chain of operations of a
-// splat dominates: those of a second one fill the gaps.
+// Adds two splats to the field, each if valid. In pairs because, on CPUs, the latency of the chain of operations for
+// one splat dominates; those for a second one fill the gaps.
 void addToField(inout Field field, uvec4 first, uvec4 second, bvec2 valid, vec4 coding, Probe probe) {
     VectorPair position = positionCodes(first, second), normal = normalCodes(first, second);
     VectorPair offset =
@@ -136,7 +136,7 @@ Field evaluateField(uint cell_index, bool live, uvec4 first, Probe probe) {
     PairLoop pairs = pairsOf(cell_index);
     vec4 coding = codingInCodes();
     uint pair = 0u, end = live ? pairs.all : 0u;
-    // tested at the top: tested at the end, some lanes would lose what their last iteration added (trace.glsl)
+    // tested at the top: with a test at the end, some lanes would lose the result of their last iteration (trace.glsl)
     while (pair < end) {
         bvec2 valid;
         uvec2 splats = splatsOf(pairs, pair, valid);
@@ -213,7 +213,7 @@ BlendedSurface ballSurface(uint splat, uvec4 words, float t, vec3 origin, vec3 d
     float radius = splatRadius(words, instance.splat);
     vec3 center = splatPosition(words), start = origin - center, normal = normalize(origin + t * direction - center);
     bool back = kClipped ? dot(normal, direction) > 0.0 : dot(start, start) < radius * radius;
-    normal = bentToViewer(back ? -normal : normal, direction); // rays that graze the quantized ball may pass this one
+    normal = bentToViewer(back ? -normal : normal, direction); // rays that graze the quantized ball may miss this one
     return BlendedSurface(t, normal, splatColor(words), kBallOffset * radius, splatMaterial(words), splat, back, true,
                           0.0);
 }

@@ -9,7 +9,8 @@
 #include "shaders/trace/waiting_gaussians.glsl"
 #include "shaders/trace/gaussian_rounds.glsl"
 
-// Between rounds in GaussianLight: light.x: the most that one Gaussian adds; light.a; last.xyz: the ids of that one.
+// Use of GaussianLight between rounds: light.x: the most that one Gaussian adds; light.a: as always; last.xyz: the ids
+// of that Gaussian.
 void meetWaiting(WaitingGaussian next, inout GaussianLight sum) {
     float alpha = unpackUnorm2x16(next.blue_opacity).y, added = sum.light.a * alpha;
     uvec3 ids = uvec3(next.gaussian, next.red_green, next.blue_opacity & 0xFFFFu);
@@ -29,10 +30,10 @@ void main() {
     if (hasStep(STEP_RESUME)) sum = gaussian_light[path];
     for (uint k = 0u; k < count && sum.light.a > kHalf; k++) meetWaiting(waiting_gaussians[path].each[k], sum);
 
-    bool goes_on = count == WAITING_GAUSSIANS && sum.light.a > kHalf && !hasStep(STEP_FINAL);
-    listForNextRound(goes_on, path);
+    bool continues = count == WAITING_GAUSSIANS && sum.light.a > kHalf && !hasStep(STEP_FINAL);
+    listForNextRound(continues, path);
     if (!live) return;
-    if (goes_on) setLastComposited(path, waiting_gaussians[path].each[WAITING_GAUSSIANS - 1u]);
+    if (continues) setLastComposited(path, waiting_gaussians[path].each[WAITING_GAUSSIANS - 1u]);
     gaussian_light[path] = sum;
     if (sum.middle.w >= kWalkEnded) return;
     uint at = FIRST_HIT_VECTORS * (params.film_first + bandPixel(path));

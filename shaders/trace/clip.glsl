@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The part of a ray that the scene's clips keep of an instance. Clips keep an intersection of half-spaces, so that part
-// is one interval: the walk starts and ends there, and hits before and behind it do not count.
+// is one interval. The walk starts and ends with it, and hits outside it do not count.
 #ifndef POINTRT_SHADERS_CLIP_GLSL
 #define POINTRT_SHADERS_CLIP_GLSL
 #include "shaders/trace/instance.glsl"
@@ -8,14 +8,16 @@
 // Ends of an interval without bounds: beyond the t of all hits.
 const float kUnclipped = 3e38;
 
-// Distances along the ray, cube units: where it enters the kept part, and leaves it. Empty if the first is the larger.
+// Distances along the ray, cube units: where it enters the kept part, and where it leaves it. Empty if the first is
+// larger.
 vec2 keptInterval(vec3 origin, vec3 direction) {
     vec2 kept = vec2(-kUnclipped, kUnclipped);
     uint planes = ofLane(instance.grid_words.w);
     for (uint i = 0u; i < planes; i++) {
         vec4 plane = loadClipPlane(i);
         float slope = dot(plane.xyz, direction), height = plane.w - dot(plane.xyz, origin);
-        // of a ray parallel to the plane this is far before or far behind everything, as it lies inside or outside
+        // for a ray parallel to the plane this is far before everything if the ray lies inside, and far behind
+        // everything if it lies outside
         float t = height / (slope == 0.0 ? 1e-20 : slope);
         kept.x = slope >= 0.0 && t > kept.x ? t : kept.x;
         kept.y = slope < 0.0 && t < kept.y ? t : kept.y;

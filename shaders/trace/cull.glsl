@@ -36,7 +36,7 @@ vec3 inSteps(uint word) {
     return vec3(ivec3(uvec3(word, word >> CULL_BITS, word >> 2u * CULL_BITS) & CULL_STEPS));
 }
 
-// Without min and max, which on lavapipe also test for NaN.
+// Does not use min and max, which on lavapipe also test for NaN.
 bool hitsBox(CullRay ray, uint middle, uint half_edges) {
     vec3 t = inSteps(middle) * ray.inverse + ray.start, width = inSteps(half_edges) * ray.widths + ray.grown;
     vec3 near = t - width, far = t + width;
@@ -48,7 +48,7 @@ bool hitsBox(CullRay ray, uint middle, uint half_edges) {
     return first <= last;
 }
 
-// Unrolled by macros: lavapipe loads at constant indices once for all lanes, else for each lane separately.
+// Unrolled by macros: lavapipe loads at constant indices once for all lanes, but otherwise for each lane separately.
 #define TEST_ONE(k, box) mask |= k < kCullBoxes && hitsBox(ray, box.x, box.y) ? 1u << (k) : 0u;
 #define TEST_TWO(k) TEST_ONE(k, cull.boxes[(k) / 2u].xy) TEST_ONE(k + 1u, cull.boxes[(k) / 2u].zw)
 #define TEST_FOUR(k) TEST_TWO(k) TEST_TWO(k + 2u)

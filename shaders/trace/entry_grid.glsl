@@ -30,7 +30,8 @@ vec3 gridEnd() { return vec3(instance.grid_size.xyz); }
 const float kCoreRounding = 4e-7;
 
 // The part of the grid that rays from this origin (grid units) traverse: all of it, or the core of a tile with a margin
-// for rounding. Rounding differs between tiles, and a ray must not slip between two of them.
+// for rounding. The margin is needed because rounding differs between tiles, and a ray must not slip between two of
+// them.
 void traversedBox(vec3 origin, out vec3 lowest, out vec3 highest) {
     lowest = vec3(0.0);
     highest = gridEnd();
@@ -42,8 +43,8 @@ void traversedBox(vec3 origin, out vec3 lowest, out vec3 highest) {
     }
 }
 
-// Cells to skip from an empty one in the direction octant of the shift. Without multiplication or conversion: the
-// latency after the load dominates a step.
+// Cells to skip from an empty one in the direction octant of the shift. It uses no multiplication or conversion, since
+// the latency after the load dominates a step.
 float skippedCells(uint word, uint octant_shift) {
     uint code = word >> octant_shift & PRO_SKIP_MASK;
     float cells = uintBitsToFloat((code << PRO_SKIP_SHIFT) + PRO_SKIP_BIAS);
@@ -74,7 +75,7 @@ void descend(vec3 point, inout Spot spot) {
     } while ((spot.word & (PRO_SKIP_MASK | PRO_CELL_INNER)) == PRO_CELL_INNER);
 }
 
-// The word of the grid cell with this lowest corner; outside the grid, of some cell.
+// The word of the grid cell with this lowest corner; outside the grid, that of an arbitrary cell.
 uint gridWord(ivec3 base, Grid grid) {
     uvec3 at = uvec3(base);
     return loadGrid(min(at.x + at.y * grid.row + at.z * grid.layer, grid.last_word));
@@ -83,7 +84,7 @@ uint gridWord(ivec3 base, Grid grid) {
 // Index of the first word of the brick that a grid word refers to.
 uint firstWord(uint grid_word) { return (grid_word >> PRO_GRID_BRICK_SHIFT) * PRO_BRICK_WORDS; }
 
-// For points outside the grid the result is that of some cell.
+// Outside the grid, the result is that of an arbitrary cell.
 Spot spotAt(vec3 point, Grid grid) {
     ivec3 grid_base = ivec3(point), brick_base = ivec3(point * float(PRO_BRICK_SIDE));
     uint grid_word = gridWord(grid_base, grid);

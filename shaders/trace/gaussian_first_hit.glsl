@@ -7,7 +7,7 @@
 // A ray hits Gaussians where they have absorbed this share of the light.
 const float kHalf = 0.5;
 
-// The flattest axis, of any length, against the direction; both in the cube.
+// The shortest axis, of any length, turned against the direction; both in the cube.
 vec3 gaussianNormal(uint gaussian, vec3 direction) {
     vec3 x = loadGaussianRow(gaussian, 0u).xyz, y = loadGaussianRow(gaussian, 1u).xyz;
     vec3 z = loadGaussianRow(gaussian, 2u).xyz;
@@ -17,10 +17,10 @@ vec3 gaussianNormal(uint gaussian, vec3 direction) {
     return dot(flattest, direction) > 0.0 ? -flattest : flattest;
 }
 
-// What a ray has met so far.
+// The hits of a ray so far.
 struct FirstHit {
     GaussianHit middle;    // behind which less than half of the light passes
-    GaussianHit strongest; // adds most
+    GaussianHit strongest; // the one that adds most
     float most;
     float transmittance;
 };
@@ -42,7 +42,7 @@ FirstHit firstHitAlong(GaussianRay ray, bool enters, bool live) {
     bool going, lives = live;
     do {
         do {
-            going = lives && mayGoOn(hits) && first.transmittance > kHalf;
+            going = lives && mayContinue(hits) && first.transmittance > kHalf;
             meetGaussian(first, nextHit(hits, going));
         } while (going);
         lives = restartIfLost(hits, enters, lives && first.transmittance > kHalf);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // First hits of an instance of Gaussians: depth, normal and ids (AOVs) of the rays through pixel centres. A ray hits
-// the Gaussian behind which less than half of the light passes, if no surface is nearer. Its id is that of the Gaussian
-// that adds most to the pixel up to there.
+// the Gaussian behind which less than half of the light passes, if no surface is nearer. The id is that of the Gaussian
+// that adds most to the pixel up to that depth.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "shaders/lib/path.glsl"

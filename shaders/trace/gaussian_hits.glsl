@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The Gaussians along a ray in the order of their peaks, one call after the other.
+// Enumerates the Gaussians along a ray in the order of their peaks, one per call.
 //
 // A node's list is tested when the walk enters the node, so the peaks of large Gaussians are known long before the ray
 // gets there: they wait in a short sorted list. If it overflows, the farthest are dropped, and the walk starts again
@@ -22,10 +22,10 @@ const GaussianHit kNoGaussianHit = GaussianHit(kWalkEnded, NO_INDEX, 0.0);
 struct GaussianHits {
     GaussianRay ray;
     GaussianWalk walk;
-    uint listed, listed_end; // what is left of the list of the node
+    uint listed, listed_end; // the rest of the node's list
     float t_in, t_out;       // the part of the ray inside the node
     GaussianHit last;        // the last one returned
-    GaussianHit lost;        // the first one dropped
+    GaussianHit lost;        // the first hit that was dropped
     GaussianHit waiting[WAITING];
 };
 
@@ -36,12 +36,12 @@ void openList(inout GaussianHits hits, bool opens) {
     vec3 exits = exitDistances(hits.walk, hits.ray.origin);
     hits.listed = opens ? hits.walk.node.y : hits.listed;
     hits.listed_end = opens ? hits.walk.node.y + hits.walk.node.z : hits.listed_end;
-    // the list of the root also holds those that reach out of the cube
+    // the list of the root also contains the Gaussians that extend out of the cube
     hits.t_in = opens ? (at_root ? -kWalkEnded : hits.walk.t) : hits.t_in;
     hits.t_out = opens ? (at_root ? kWalkEnded : leastOf(exits)) : hits.t_out;
 }
 
-// From the last hit on: nodes that the ray leaves before it are not entered.
+// Starts with the hits after the last one; does not enter nodes that the ray leaves before it.
 void restart(inout GaussianHits hits, bool enters) {
     hits.walk = startGaussianWalk(hits.ray);
     openList(hits, true);
@@ -66,10 +66,10 @@ GaussianHits startGaussianHits(GaussianRay ray, bool enters) {
     return resumeGaussianHits(ray, enters, GaussianHit(ray.t_min, NO_INDEX, 0.0));
 }
 
-// No hit at or after this counts any more.
+// Hits at or beyond this t are unknown.
 float endOf(GaussianHits hits) { return hits.lost.t < hits.ray.t_max ? hits.lost.t : hits.ray.t_max; }
 
-// Whether the walk is over and no list is left to test: all hits up to the end are known.
+// Whether the walk is over and no list is left to test, so that all hits up to the end are known.
 bool hasWalked(GaussianHits hits) { return hits.listed == hits.listed_end && !(hits.walk.t <= endOf(hits)); }
 
 // Walks to the next node with a list.
@@ -84,7 +84,7 @@ void nextList(inout GaussianHits hits, bool going) {
     openList(hits, found);
 }
 
-// The next peak in what is left of the list that is nearer than the first one lost.
+// The next peak in the rest of the list that is nearer than the first hit dropped.
 GaussianHit nextPeak(inout GaussianHits hits, bool going) {
     GaussianHit found = kNoGaussianHit;
     bool tests = going && hits.listed < hits.listed_end;
@@ -101,7 +101,7 @@ GaussianHit nextPeak(inout GaussianHits hits, bool going) {
     return found;
 }
 
-// No place waits for the comparison of another, as it would if what one gives up went on to the next.
+// Compares all places in parallel: with a chain of insertions, each would wait for the one before.
 void insertHit(inout GaussianHits hits, GaussianHit hit) {
     bool is_nearer[WAITING];
 #define COMPARE(k) is_nearer[k] = isBefore(hit, hits.waiting[k]);
@@ -119,7 +119,7 @@ void insertHit(inout GaussianHits hits, GaussianHit hit) {
     FOR_WAITING(PLACE)
 }
 
-// The first waiting hit, once nothing nearer can come; else none.
+// The first waiting hit if no nearer one can follow, else none.
 GaussianHit takeHit(inout GaussianHits hits, bool going) {
     GaussianHit first = hits.waiting[0];
     bool complete = hits.listed == hits.listed_end;
@@ -133,10 +133,10 @@ GaussianHit takeHit(inout GaussianHits hits, bool going) {
     return first;
 }
 
-// Whether this pass may bring more hits.
-bool mayGoOn(GaussianHits hits) { return !hasWalked(hits) || hits.waiting[0].t < endOf(hits); }
+// Whether this pass may find more hits.
+bool mayContinue(GaussianHits hits) { return !hasWalked(hits) || hits.waiting[0].t < endOf(hits); }
 
-// The next hit in order, or none: then call again while mayGoOn. enters: of gaussianRay.
+// The next hit in order, or none: then call again while mayContinue. enters: from gaussianRay.
 GaussianHit nextHit(inout GaussianHits hits, bool going) {
     nextList(hits, going);
     insertHit(hits, nextPeak(hits, going));
@@ -144,7 +144,7 @@ GaussianHit nextHit(inout GaussianHits hits, bool going) {
     return takeHit(hits, going);
 }
 
-// Whether hits were dropped: then another pass begins after the last one returned.
+// Whether hits were dropped; then another pass begins after the last hit returned.
 bool restartIfLost(inout GaussianHits hits, bool enters, bool going) {
     bool again = going && hits.lost.gaussian != NO_INDEX;
     if (again) restart(hits, enters);

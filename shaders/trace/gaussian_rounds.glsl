@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Rounds that composite Gaussians: the first one is over the current rays, each further one over those that the round
-// before has listed.
+// Rounds that composite Gaussians: the first round is over the current rays, each further one over the rays that the
+// previous round listed.
 #ifndef POINTRT_SHADERS_GAUSSIAN_ROUNDS_GLSL
 #define POINTRT_SHADERS_GAUSSIAN_ROUNDS_GLSL
 #include "shaders/lib/append.glsl"
@@ -14,8 +14,8 @@ PathState pathOfRound(out uint index) {
 }
 
 // All lanes of the subgroup must call it.
-void listForNextRound(bool goes_on, uint path) {
-    appendEntry(push.list == LIST_DIRECT_LIGHT ? LIST_SHADOW_RAYS : LIST_DIRECT_LIGHT, goes_on, path);
+void listForNextRound(bool continues, uint path) {
+    appendEntry(push.list == LIST_DIRECT_LIGHT ? LIST_SHADOW_RAYS : LIST_DIRECT_LIGHT, continues, path);
 }
 
 #endif

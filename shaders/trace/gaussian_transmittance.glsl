@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// The share of light that Gaussians let pass along a ray.
+// The transmittance of Gaussians along a ray.
 #ifndef POINTRT_SHADERS_GAUSSIAN_TRANSMITTANCE_GLSL
 #define POINTRT_SHADERS_GAUSSIAN_TRANSMITTANCE_GLSL
 #include "shaders/trace/gaussian_hits.glsl"
 
-// 0 if less than `least` passes; the order of Gaussians does not matter. cut: not all were tested, as of compositeAlong
+// 0 if less than `least` passes; the order of Gaussians does not matter. cut: not all were tested, as in compositeAlong
 // (composite_gaussians.comp.glsl).
 float gaussianTransmittance(GaussianRay ray, bool enters, bool live, float least, out bool cut) {
     GaussianHits hits = startGaussianHits(ray, enters);

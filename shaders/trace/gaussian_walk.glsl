@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // The walk through the octree of Gaussians, front to back and without a stack: from node to sibling, up to the parent
 // and down to the first child. Cells have integer coordinates, and the distance to a plane is computed alike for every
-// cell that it bounds. So the intervals that cells cut from a ray join without gaps or overlaps, and a Gaussian that
-// counts only in the cell where its peak lies counts once.
+// cell that it bounds. So the intervals of adjacent cells along a ray join without gaps or overlaps, and a Gaussian,
+// which counts only in the cell that contains its peak, counts once.
 //
 // For lavapipe, see the rules of loops in trace.glsl.
 #ifndef POINTRT_SHADERS_GAUSSIAN_WALK_GLSL
@@ -16,13 +16,15 @@
 #define loadGaussianListed(i) loadBrickWord(i)
 #define loadGaussianRow(i, row) uintBitsToFloat(loadSplat((i) * GAUSSIAN_VECTORS + (row)))
 
-// A ray in the cube, from where it enters it: from a distant origin too few bits would be left.
+// A ray in the cube, measured from where it enters the cube: from a distant origin, too few bits would be left.
 struct GaussianRay {
     vec3 origin;
     vec3 direction; // unit length
     float t_start;  // distance of that point from the ray's own origin
-    float t_min;    // from there: no peak before this counts; the ray's own origin, or where it enters what clips keep
-    float t_max;    // from there
+    // relative to that point: peaks before it do not count; the ray's own origin, or where the ray enters the part that
+    // clips keep
+    float t_min;
+    float t_max;    // relative to that point
 };
 
 struct GaussianWalk {
@@ -30,8 +32,8 @@ struct GaussianWalk {
     vec3 positive; // 1 where the direction is not negative, else 0
     ivec3 cell;    // the node's cell, in units of its edge
     float edge;    // cube units
-    float t;       // at which the ray enters the node; after the last one beyond all numbers
-    uint number;   // of the node
+    float t;       // distance at which the ray enters the node; after the last node beyond all numbers
+    uint number;   // number of the node
     uvec4 node;    // GaussianNode
     bool leaves;   // the node's children have been visited
 };
@@ -45,7 +47,7 @@ GaussianRay gaussianRayInCube(vec3 from, vec3 way, float t_max, out bool enters)
     vec2 kept = kClipped ? keptInterval(from, way) : vec2(0.0);
     if (kClipped) t_max = min(t_max, kept.y);
     enters = first <= last && last > 0.0 && first < t_max;
-    // rays beside the cube start where they pass its centre
+    // rays that miss the cube start where they pass its centre
     float t_start = max(enters ? first : dot(vec3(0.5) - from, way), 0.0);
     float t_min = kClipped ? max(kept.x, 0.0) - t_start : -t_start;
     return GaussianRay(from + t_start * way, way, t_start, t_min, t_max - t_start);
@@ -77,7 +79,8 @@ uint slotOf(ivec3 cell) {
     return bits.x | bits.y << 1 | bits.z << 2;
 }
 
-// One move: down to the child that the ray enters first, or on to the next sibling, or up. Whether it enters a node.
+// One move: down to the child that the ray enters first, on to the next sibling, or up. Returns whether it enters a
+// node.
 bool moveWalk(inout GaussianWalk walk, vec3 origin, bool going) {
     bool descends = !walk.leaves && walk.node.x != 0u;
     vec3 to_middle = ((vec3(walk.cell) + 0.5) * walk.edge - origin) * walk.inverse;
@@ -119,7 +122,7 @@ GaussianPeak gaussianPeak(uint gaussian, GaussianRay ray) {
     vec3 origin = vec3(dot(row_x.xyz, from), dot(row_y.xyz, from), dot(row_z.xyz, from));
     vec3 way = vec3(dot(row_x.xyz, ray.direction), dot(row_y.xyz, ray.direction), dot(row_z.xyz, ray.direction));
     float inverse = 1.0 / dot(way, way);
-    // by the cross product: the difference of two large squares would lose thin Gaussians
+    // by the cross product: as the difference of two large squares, thin Gaussians would be lost
     vec3 across = cross(origin, way);
     return GaussianPeak(-dot(origin, way) * inverse, dot(across, across) * inverse);
 }

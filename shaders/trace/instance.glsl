@@ -11,7 +11,7 @@ layout(constant_id = SPEC_UNEVEN) const bool kUneven = false;
 layout(constant_id = SPEC_ORIENTED) const bool kOriented = false;
 // Whether the scan stores the noise of its surface.
 layout(constant_id = SPEC_NOISY) const bool kNoisy = false;
-// Whether it is a tile of a set: hits are clipped to the tile's core.
+// Whether the instance is a tile of a set: hits are clipped to the tile's core.
 layout(constant_id = SPEC_CLIPS_TO_CORE) const bool kClipsToCore = false;
 // Whether the scene has clips, which may cut the instance.
 layout(constant_id = SPEC_CLIPPED) const bool kClipped = false;

@@ -14,7 +14,7 @@
 #include "shaders/trace/pool_beam.glsl"
 #include "shaders/trace/pool_hit.glsl"
 
-// tile, pixel: the path's tile of the picture, and its pixel there.
+// tile, pixel: the picture tile of the path, and its pixel there.
 bool hitsInTiles(uint path, uint tile, uint pixel, bool live) {
     ClosestHit closest = closestBefore(path);
     uint tiles = live ? beamMask(tile) : 0u;

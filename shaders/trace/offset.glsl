@@ -6,13 +6,13 @@
 #include "shaders/lib/features.glsl"
 
 // Neighbouring discs deviate from the blended surface by curvature, noise and, where several scans overlap, the
-// residual of their registration: two or three radii on dense merges. So the ray origin is lifted a little, enough that
-// rounding cannot put it below the surface. Hits on discs that face the same way are self-intersections, and ignored,
+// residual of their registration: two or three radii on dense merges. So the ray origin is lifted a little, just enough
+// that rounding cannot put it below the surface. Hits on discs that face the same way are ignored as self-intersections
 // until the ray is kSelfHeight radii above the surface, or kSelfReach radii (four disc widths) from its origin: at
 // grazing angles it would never get so high.
 const float kSelfHeight = 3.0;
 const float kSelfReach = 8.0;
-// By how many radii the origin is lifted.
+// The height in radii to which the origin is lifted.
 const float kLift = 0.25;
 // Bound of the rounding error on shapes, which are exact otherwise: 4 units in the last place of the largest
 // coordinate.
@@ -26,7 +26,7 @@ const float kNoisyHeight = 5.0;
 const float kNoisyReach = kNoisyHeight / 0.1736482; // sine of 10 degrees
 // Upper limit of the noise, in radii: geometry more than 5 radii away always casts its shadow.
 const float kNoiseMost = 1.0;
-// SURFACE_SELF_REACH_MASK steps lead from kSelfReach to the largest reach, kNoisyReach / kNoisyHeight * kSelfHeight =
+// The SURFACE_SELF_REACH_MASK steps from kSelfReach to the largest reach, kNoisyReach / kNoisyHeight * kSelfHeight =
 // 17.28.
 const float kReachStep = 0.3;
 
@@ -37,8 +37,8 @@ float roundingAt(vec3 position) {
 // Self-intersection distance on shapes: twice the lift of the origin, at 60 degrees from the normal.
 float shapeSelfDistance(vec3 origin) { return 4.0 * roundingAt(origin); }
 
-// The radius to offset rays by on a noisy surface: kSelfHeight times this is as high as they have to get. reach: the
-// bits of selfReach for a SurfaceInteraction.
+// The radius to offset rays by on a noisy surface: kSelfHeight times this is the height that rays must reach. reach:
+// the bits of selfReach for a SurfaceInteraction.
 float offsetRadius(float radius, float noise, out uint reach) {
     noise = min(noise, kNoiseMost * radius);
     float offset_radius = max(radius, kNoisyHeight / kSelfHeight * noise);
@@ -47,13 +47,14 @@ float offsetRadius(float radius, float noise, out uint reach) {
     return offset_radius;
 }
 
-// Longest self-intersection distance, in radii, of a surface with these bits.
+// Largest self-intersection distance, in radii, of a surface with these bits.
 float selfReach(uint bits) {
     if (!kHasNoise) return kSelfReach;
     return kSelfReach + kReachStep * float(bits >> SURFACE_SELF_REACH_SHIFT & SURFACE_SELF_REACH_MASK);
 }
 
-// Origin of a ray that leaves a surface on the side that normal points to. self_t: self-intersection distance.
+// Origin of a ray that leaves a surface on the side that normal points to. self_t receives the self-intersection
+// distance.
 vec3 offsetRayOrigin(vec3 position, vec3 normal, float radius, uint bits, vec3 direction, out float self_t) {
     self_t = radius * min(kSelfHeight / max(dot(normal, direction), 1e-6), selfReach(bits));
     return position + normal * (radius > 0.0 ? kLift * radius : roundingAt(position));

@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
-// Beams of a tile of pixels through the tiles in a block: the distance that the rays can skip in each, and a mask of those
-// that the beam does not miss.
+// Beams of a tile of pixels through the tiles in a block: the distance that the rays can skip in each tile of the
+// block, and a mask of the tiles that the beam does not miss.
 #ifndef POINTRT_SHADERS_POOL_BEAM_GLSL
 #define POINTRT_SHADERS_POOL_BEAM_GLSL
 #include "shaders/shared/spec_constants.h"
 
-// Places in the masks: the tiles in the block, or more.
+// Places in the masks: at least the number of tiles in the block.
 layout(constant_id = SPEC_CULL_BOXES) const uint kCullBoxes = CULL_INSTANCES;
 
 uint beamPlace(uint tile, uint place) { return tile * kCullBoxes + place; }
 
-// The masks take the room of the cull masks, which pooled tiles do not need.
+// The masks are stored in place of the cull masks, which pooled tiles do not need.
 uint beamMaskPlace(uint tile) { return cullMaskStart() + tile; }
 uint beamMask(uint tile) { return loadQueue(beamMaskPlace(tile)); }
 

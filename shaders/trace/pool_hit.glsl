@@ -1,22 +1,22 @@
 // SPDX-License-Identifier: Apache-2.0
-// The closest hit of a ray on the tiles of a block. Tiles are tested in order, as if each had a dispatch of its own, so
-// pictures are the same to the bit.
+// The closest hit of a ray on the tiles of a block. Tiles are tested in order, as if each had its own dispatch, so
+// pictures are bit-identical.
 #ifndef POINTRT_SHADERS_POOL_HIT_GLSL
 #define POINTRT_SHADERS_POOL_HIT_GLSL
 
-// The closest hit of a path so far, which is stored at once.
+// The closest hit of a path so far, which is also stored.
 struct ClosestHit {
     float t;    // render units
-    bool found; // in one of these tiles
+    bool found; // whether it is on one of these tiles
 };
 
 ClosestHit closestBefore(uint path) { return ClosestHit(uintBitsToFloat(loadHit(path).x), false); }
 
-// The first one of the tiles in a mask, as a place among those of the program.
+// The first tile in a mask, as a place among the tiles of the program.
 uint firstTile(uint tiles) { return uint(findLSB(tiles)); }
 
-// Takes a hit in the first tile of the mask if there is one. Counts it as dispatches for each tile would: a nearer hit in
-// a later tile does not take it back.
+// Stores a hit in the first tile of the mask if there is one. Counts it as a dispatch for each tile would: nearer hits
+// in later tiles do not undo that.
 void takeHit(uint path, uint tiles, TraceHit hit, inout ClosestHit closest) {
     if (hit.disc == NO_INDEX) return;
     uint place = again(firstTile(tiles));

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Hardware traversal of one instance: ray queries find the boxes of its filled cells, in any order, in place of the
-// steps of the walk. What a ray hits in a cell is decided by testCell, as for the walk.
+// steps of the walk. As in the walk, testCell finds the hit in a cell.
 #ifndef POINTRT_SHADERS_QUERY_CELLS_GLSL
 #define POINTRT_SHADERS_QUERY_CELLS_GLSL
 #extension GL_EXT_ray_query : require
@@ -26,10 +26,10 @@ Visit visitOf(uint cell, inout Walk walk) {
 }
 
 // Updates hit with the nearest hit before t_end; with ANY_HIT, with some hit. The walk stops before the cells that the
-// ray enters behind a hit, though their lists may hold a nearer disc, rounded otherwise. So that the order of visits
-// makes no difference, a hit before its cell counts from where the ray enters that.
+// ray enters behind a hit, although their lists may hold a nearer disc, rounded differently. To make the result
+// independent of the order of visits, a hit in front of its cell counts as if it were where the ray enters the cell.
 void queryCells(Walk walk, TraceRay ray, float t_start, float t_end, inout TraceHit hit) {
-    if (!(t_end > 0.0)) return; // an invalid ray, or none
+    if (!(t_end > 0.0)) return; // an invalid ray, or an empty interval
     float t_limit = hit.t;
     rayQueryEXT query;
     rayQueryInitializeEXT(query, cell_tree, kQueryFlags, 0xFFu, walk.origin, 0.0, walk.direction, t_end);
@@ -41,7 +41,7 @@ void queryCells(Walk walk, TraceRay ray, float t_start, float t_end, inout Trace
         if (found.disc == NO_INDEX) continue;
         hit = found;
         t_limit = max(found.t, walk.t);
-        rayQueryGenerateIntersectionEXT(query, min(t_limit, t_end)); // cells reach beyond the end of the walk
+        rayQueryGenerateIntersectionEXT(query, min(t_limit, t_end)); // cells extend beyond the end of the walk
     }
 }
 

@@ -6,7 +6,7 @@
 #include "shaders/trace/shapes.glsl"
 #include "shaders/trace/offset.glsl"
 
-// Least t of hits on shapes for a ray that starts here and has left a surface of this owner: nearer ones are
+// Smallest t of hits on shapes for a ray that starts here and has left a surface of this owner: nearer hits are
 // self-intersections.
 float shapeMinDistance(uint owner, vec3 origin) { return owner == OWNER_SHAPES ? shapeSelfDistance(origin) : 0.0; }
 

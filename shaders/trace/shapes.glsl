@@ -12,7 +12,7 @@
 #extension GL_EXT_control_flow_attributes : require
 #include "shaders/shared/scene_layout.h"
 
-// A program may restrict the kinds.
+// A program may define which kinds it supports.
 #ifndef mayHaveShape
 #define mayHaveShape(kind) true
 #endif
@@ -33,7 +33,7 @@ struct ShapeHit {
 
 struct LocalRay {
     vec3 origin;
-    vec3 direction; // not normalized, so that t is that of the original ray
+    vec3 direction; // not normalized, so that t equals that of the original ray
 };
 
 vec3 localVector(Shape shape, vec3 v) {
@@ -64,14 +64,14 @@ vec2 hitBox(LocalRay ray) {
     return near <= far ? vec2(near, far) : vec2(kNoShapeHit);
 }
 
-// Likewise for the sphere, measured from the point of the ray nearest to its centre: the difference of squares in the
+// The same for the sphere, measured from the point of the ray nearest to its centre: the difference of squares in the
 // quadratic formula cancels for distant spheres (Haines et al., Ray Tracing Gems, chapter 7). The nearer root from an
 // origin on the sphere is 0 up to rounding in the last bit of the radius.
 vec2 hitSphere(LocalRay ray) {
     float inverse = 1.0 / dot(ray.direction, ray.direction);
     float middle = -dot(ray.origin, ray.direction) * inverse;
     vec3 nearest = ray.origin + middle * ray.direction;
-    // refined from there: the first estimate has the rounding error of the whole distance
+    // refined from there, since the first estimate has the rounding error of the whole distance
     float rest = -dot(nearest, ray.direction) * inverse;
     nearest += rest * ray.direction;
     float height = 1.0 - dot(nearest, nearest);
@@ -108,7 +108,7 @@ vec3 shapeNormal(Shape shape, vec3 point, vec3 direction, out bool back) {
 
 #ifdef loadShape
 
-// Updates hit with a shape if that is nearer and counts.
+// Updates hit with a shape if its hit counts and is nearer.
 void nearer(inout ShapeHit hit, bool counts, uint number, Shape shape, vec3 origin, vec3 direction, float t_min) {
     float t = hitShape(shape, origin, direction, t_min);
     bool nearer = counts && t < hit.t;
@@ -126,7 +126,7 @@ ShapeHit nearestShapeWithout(uint skipped, uint count, vec3 origin, vec3 directi
         }
     } else {
         uint i = 0u;
-        do { // finished lanes take part until all are: see trace.glsl
+        do { // finished lanes take part until all have finished: see trace.glsl
             bool going = i < count;
             Shape shape = loadShape(going ? i : 0u);
             nearer(hit, going && (shape.kind.z & skipped) == 0u, i, shape, origin, direction, t_min);

@@ -51,9 +51,9 @@ uint splatMaterial(uvec4 words) { return words.z >> PRO_MATERIAL_SHIFT; }
 
 bool isBall(uvec4 words) { return kHasBalls && (words.y & PRO_SPLAT_BALL) != 0u; }
 
-// Distance to a ball near t along the ray: to where the ray enters it, or leaves it if its origin is inside; where it
-// just passes, to the point next to the ball. Not clamped to a radius around t like a disc's: a grazing ray may enter
-// half a radius off.
+// Distance to a ball near t along the ray: to where the ray enters it, or leaves it if its origin is inside; for a near
+// miss, to the point closest to the ball. Unlike that of a disc, it is not clamped to a radius around t: a grazing ray
+// may enter half a radius away.
 float ballDistance(float t, uvec4 words, vec3 origin, vec3 direction) {
     float radius = splatRadius(words, instance.splat), inverse = 1.0 / dot(direction, direction);
     vec3 center = splatPosition(words), start = origin - center, offset = origin + t * direction - center;
@@ -61,7 +61,7 @@ float ballDistance(float t, uvec4 words, vec3 origin, vec3 direction) {
     vec3 across = offset - along * direction;
     float half_chord = sqrt(max(radius * radius - dot(across, across), 0.0) * inverse);
     float t_in = t - along - half_chord, t_out = t - along + half_chord;
-    // of a ball that clips cut open, a ray from outside may be traced to where it leaves it
+    // clips may cut a ball open, so that a ray from outside hits it where it leaves
     bool inside = kClipped ? along > 0.0 : t_in < 0.0 || dot(start, start) < radius * radius;
     return max(inside ? t_out : t_in, 0.0);
 }

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// Closest hits of paths so far.
+// The closest hits of paths so far.
 #ifndef POINTRT_SHADERS_STORE_HIT_GLSL
 #define POINTRT_SHADERS_STORE_HIT_GLSL
 
 // t_max of the ray of a path, in cube units: the closest hit so far.
 float maxDistance(uint path) { return uintBitsToFloat(loadHit(path).x) * cubeScale(); }
 
-// A hit as hit_texels has it, with t in render units.
+// A hit in the format of hit_texels, with t in render units.
 uvec4 storedHit(TraceHit hit) {
     return uvec4(floatBitsToUint(hit.t / cubeScale()), hit.cell, hit.disc, instance.materials.x);
 }

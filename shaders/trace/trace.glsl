@@ -22,12 +22,12 @@ struct TraceHit {
 
 // A ray in cube units. Self-intersection: hits nearer than self_t on discs that face like self_normal are ignored, and
 // without oriented normals also those on discs that face the opposite way. Only discs that the ray crosses in the
-// direction in which it left its surface count as self: in hollows it comes back to the same surface, within self_t at
-// grazing angles.
+// direction in which it left its surface count as self: in hollows, a ray comes back to the same surface, at grazing
+// angles within self_t.
 struct TraceRay {
     vec3 origin;
     vec3 direction;
-    float t_min; // no disc is nearer
+    float t_min; // hits nearer than this are ignored
     float t_max;
     vec3 self_normal;
     float self_t;
@@ -35,7 +35,7 @@ struct TraceRay {
 
 // State of a traversal; only t changes. Lengths along the ray are in cube units, all else in grid units.
 struct Walk {
-    vec3 origin;    // on the border of the grid or inside
+    vec3 origin;    // on the border of the grid or inside it
     vec3 direction; // no component is 0
     vec3 inverse;
     vec3 start;     // origin moved one position step along the ray's sign in each axis
@@ -43,9 +43,9 @@ struct Walk {
     vec3 pace;      // t from plane to plane, for cells with an edge of 1
     uint octant_shift;
     float t;        // from origin to where the ray enters the next cell
-    float t_end;    // to where it leaves the grid
-    float t_least;  // clips: to the ray's origin, or to where it enters what they keep
-    vec2 t_core;    // tiles: to where it enters the core, and leaves it
+    float t_end;    // t at which it leaves the grid
+    float t_least;  // clips: t of the ray's origin, or where it enters the part that they keep
+    vec2 t_core;    // tiles: t at which it enters the core, and leaves it
 };
 
 // A cell whose discs the ray may hit, the result of a step.
@@ -64,8 +64,8 @@ struct CellRay {
     vec2 t_core;
 };
 
-// Starts at the border of the grid, of the core of a tile, or of what clips keep: measured from a distant eye, t would
-// leave too few bits for the splat test. kept: of keptInterval; t_start: distance from the ray's origin.
+// Starts at the border of the grid, of the core of a tile, or of the part that clips keep: measured from a distant eye,
+// t would leave too few bits for the splat test. kept: from keptInterval; t_start: distance from the ray's origin.
 Walk startWalk(TraceRay ray, vec2 kept, out float t_start) {
     float scale = instance.grid_scale.x;
     Walk walk;
@@ -81,7 +81,7 @@ Walk startWalk(TraceRay ray, vec2 kept, out float t_start) {
     vec3 origin = gridPoint(ray.origin), lowest, highest;
     traversedBox(origin, lowest, highest);
     vec3 near = (mix(highest, lowest, positive) - origin) * walk.inverse;
-    // ends before the look-ahead leaves the grid, by no more than the slack of the lists around a cell (kSlackSteps)
+    // ends before the look-ahead leaves the grid by more than the slack of the lists around a cell (kSlackSteps)
     vec3 last = mix(lowest, highest, positive) - 1.5 * instance.grid_scale.y * side;
     vec3 far = (last - origin) * walk.inverse;
     t_start = max(max(near.x, near.y), max(near.z, ray.t_min));
@@ -125,7 +125,8 @@ float leaveSpot(Walk walk, Spot spot) {
 
 // One step: passes the cell that the ray enters at t, and the empty ones that follow, up to t_out.
 Visit stepWalk(Walk walk, Grid grid, out float t_out) {
-    // One position step ahead, more than rounding, so that a ray at a border is located in the cell behind it.
+    // One position step ahead, which is more than rounding errors, so that a ray at a border is located in the cell
+    // behind it.
     Spot spot = spotAt(walk.start + walk.direction * walk.t, grid);
     t_out = leaveSpot(walk, spot);
     bool listed = isFilled(spot.word);
@@ -139,8 +140,8 @@ Visit stepWalk(Walk walk, Grid grid, out float t_out) {
 const float kCoreSlack = 1.0 / 32.0;
 
 // Clips hits to the core of a tile. A hit counts if it lies in the core, or if the ray is so close to the disc at the
-// core's border that the neighbouring tile's copy may lie beyond it. A ray that grazes the disc stays that close for
-// a long way.
+// core's border that the neighbouring tile's copy of the disc may be hit outside its own core. A ray that grazes the
+// disc stays that close for a long way.
 bool isInCore(float t, float slope, float normal_squared, float radius_squared, vec2 t_core) {
     float height = (t - clamp(t, t_core.x, t_core.y)) * slope;
     return height * height <= kCoreSlack * kCoreSlack * normal_squared * radius_squared;
@@ -152,7 +153,7 @@ bool isBallInCore(float t, vec3 to_center, vec3 direction, float radius_squared,
     return abs(dot(offset, offset) - radius_squared) <= 2.0 * kCoreSlack * radius_squared;
 }
 
-// No hit before this counts.
+// Hits before this distance do not count.
 float leastDistance(CellRay cell_ray, float t_start) { return kClipped ? cell_ray.t_least : -t_start; }
 
 // Distance to where the ray enters a cell ball, or leaves it if its origin is inside; t_limit if that is missed, not
@@ -160,7 +161,7 @@ float leastDistance(CellRay cell_ray, float t_start) { return kClipped ? cell_ra
 // a self-intersection. But the quantized ball that a ray left may hold the ray's origin, and so may one that overlaps
 // it there: leaving such a ball, on the side that self_normal faces, is one.
 //
-// Clips cut balls open: a ray that enters one before what they keep hits it where it leaves.
+// Clips cut balls open: a ray that enters a ball before the part that they keep hits it where it leaves.
 float hitBall(vec3 to_center, float radius_squared, CellRay cell_ray, TraceRay ray, float t_start, float t_limit) {
     float inverse = 1.0 / dot(cell_ray.direction, cell_ray.direction);
     float t_middle = dot(to_center, cell_ray.direction) * inverse;
@@ -258,16 +259,17 @@ TraceRay secondaryRay(vec3 origin, vec3 direction, float t_max, vec3 self_normal
                     is_self ? self_t * cubeScale() : 0.0);
 }
 
-// Most steps of a walk: as many iterations as lavapipe allows all loops. A GPU would go on for ever, and hang.
+// Limit of steps of a walk: as many iterations as lavapipe allows all loops. Without a limit, an endless walk would
+// hang a GPU.
 const uint kMostSteps = 65535u;
 
-// Whether all components are finite, by their bits: compilers may assume that arithmetic yields numbers.
+// Whether all components are finite, tested by their bits: compilers may assume that arithmetic yields numbers.
 bool isFinite(vec3 v) {
     const uint kExponent = 0x7F800000u;
     return all(notEqual(floatBitsToUint(v) & kExponent, uvec3(kExponent)));
 }
 
-// The ray, or one that meets nothing if it is invalid.
+// The ray, or one that hits nothing if it is invalid.
 TraceRay validRay(TraceRay ray) {
     bool valid = isFinite(ray.origin) && isFinite(ray.direction);
     ray.origin = valid ? ray.origin : vec3(0.0);
@@ -289,7 +291,7 @@ TraceHit trace(TraceRay given) {
     Walk walk = startWalk(ray, kept, t_start);
     float t_max = kClipped ? min(ray.t_max, kept.y) : ray.t_max;
     TraceHit hit = TraceHit(t_max - t_start, NO_INDEX, NO_INDEX);
-    float t_end = hit.t < walk.t_end ? hit.t : walk.t_end; // not min: a NaN must end the walk
+    float t_end = hit.t < walk.t_end ? hit.t : walk.t_end; // not min, since a NaN must end the walk
 #ifdef HARDWARE
     queryCells(walk, ray, t_start, t_end, hit);
 #else

@@ -5,7 +5,7 @@
 #include "shaders/trace/splat.glsl"
 #include "shaders/trace/trace.glsl"
 
-// The part of a PathState that is traced.
+// The part of a PathState that tracing needs.
 struct QueuedRay {
     vec3 origin;
     float self_t;

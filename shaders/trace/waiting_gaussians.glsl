@@ -7,7 +7,7 @@
 
 uint placeOf(WaitingGaussian waiting) { return waiting.instance & 0xFFFFu; }
 
-// The order along a ray; where peaks coincide that of instances and of their Gaussians.
+// The order along a ray; for coinciding peaks, the order of instances and of their Gaussians.
 bool isBefore(WaitingGaussian a, WaitingGaussian b) {
     uint place_a = placeOf(a), place_b = placeOf(b);
     bool is_lower = place_a != place_b ? place_a < place_b : a.gaussian < b.gaussian;
@@ -16,11 +16,11 @@ bool isBefore(WaitingGaussian a, WaitingGaussian b) {
 
 void startRounds(uint path) {
     waiting_gaussians[path].last_t = 0.0;
-    waiting_gaussians[path].last_instance = 0xFFFFu; // what peaks at the origin of the ray does not count
+    waiting_gaussians[path].last_instance = 0xFFFFu; // peaks at the origin of the ray do not count
     waiting_gaussians[path].last_gaussian = NO_INDEX;
 }
 
-// Its order alone.
+// Has only the values that determine its order.
 WaitingGaussian lastComposited(uint path) {
     return WaitingGaussian(waiting_gaussians[path].last_t, waiting_gaussians[path].last_gaussian,
                            waiting_gaussians[path].last_instance, 0u, 0u, 0u);
@@ -32,7 +32,7 @@ void setLastComposited(uint path, WaitingGaussian last) {
     waiting_gaussians[path].last_gaussian = last.gaussian;
 }
 
-// Inserts a Gaussian if it is among the nearest. Returns the t behind which none can be.
+// Inserts a Gaussian if it is among the nearest. Returns the t beyond which none can be inserted.
 float insertWaiting(uint path, WaitingGaussian added, bool waits, inout uint count) {
     const uint last = WAITING_GAUSSIANS - 1u;
     bool full = count > last;

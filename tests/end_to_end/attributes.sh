@@ -45,13 +45,13 @@ case_can_be_chosen() {
     scan 2000 >scan.ply
     expectDone pointrt-bake -q scan.ply -o out/one.pro --attributes intensity
     pointrt-info out/one.pro --json >info.json
-    [ "$(jsonValue info.json attributes.0.name)" = intensity ] || fail "not what was asked for"
-    [ -z "$(jsonValue info.json attributes.1.name)" ] || fail "more than was asked for"
+    [ "$(jsonValue info.json attributes.0.name)" = intensity ] || fail "not the requested attribute"
+    [ -z "$(jsonValue info.json attributes.1.name)" ] || fail "more than the requested attribute"
     expectError 1 "--attributes: .*'intensty'.* 'intensity'.*: classification, intensity" \
         pointrt-bake -q scan.ply -o out/two.pro --attributes intensty
     expectDone pointrt-bake -q scan.ply -o out/none.pro --attributes none
     pointrt-info out/none.pro --json >info.json
-    [ -z "$(jsonValue info.json attributes.0.name)" ] || fail "there although none was asked for"
+    [ -z "$(jsonValue info.json attributes.0.name)" ] || fail "there although none was requested"
     grep -q '"version": "1.4"' info.json || fail "its version is that of its index"
 }
 
@@ -121,7 +121,7 @@ case_a_folder_of_tiles() {
     echo nothing >tiles/.hidden.xyz
     expectDone pointrt-bake -v tiles -o out/tiles.pro --outliers keep --stats tiles.json
     [ "$(splatsOf out/tiles.pro)" = 2000 ] || fail "not both tiles"
-    [ "$(jsonValue info.json attributes.0.name)" = scan ] || fail "the tiles cannot be told apart"
+    [ "$(jsonValue info.json attributes.0.name)" = scan ] || fail "the tiles cannot be distinguished"
     [ "$(jsonValue tiles.json files.1.points)" = 1000 ] || fail "not what was read of each"
     grep -q 'tiles/b.xyz: .*1000 points' stderr || fail "no line for each file"
     mkdir none

@@ -183,8 +183,8 @@ case_content_overrides_the_suffix() {
 case_mesh_sampled_over_its_area() {
     printf 'v 0 0 0\nv 3 0 0\nv 3 2 0\nv 0 2 0\nf 1 2 3 4\n' >sheet.obj
     expectDone pointrt-bake -q sheet.obj --sample 5000 -o out/scene.pro --stats stats.json
-    [ "$(jsonValue stats.json splats)" -gt 4900 ] || fail "5000 points were asked for"
-    [ "$(jsonValue stats.json splats)" -le 5000 ] || fail "5000 points were asked for"
+    [ "$(jsonValue stats.json splats)" -gt 4900 ] || fail "5000 points were requested"
+    [ "$(jsonValue stats.json splats)" -le 5000 ] || fail "5000 points were requested"
 }
 
 cube() {
@@ -208,7 +208,7 @@ case_coarse_mesh_is_sampled() {
     ! grep -q 'vertices' stderr || fail "there is nothing to say of 2000 samples"
     [ "$(jsonValue stats.json points_unused)" = 1 ] || fail "points_unused is not 1"
     expectDone pointrt-bake cube.obj --sample 0 -f -o out/scene.pro --stats stats.json
-    ! grep -q 'vertices' stderr || fail "there is nothing to say of vertices that were asked for"
+    ! grep -q 'vertices' stderr || fail "no note is needed about vertices that were requested"
     [ "$(jsonValue stats.json splats)" = 8 ] || fail "8 vertices are used"
     [ "$(jsonValue stats.json points_sampled)" = 0 ] || fail "nothing was to be sampled"
     expectError 2 '--sample' pointrt-bake -q cube.obj --sample -1 -f -o out/scene.pro

@@ -33,7 +33,7 @@ case_noise_target() {
     bakeSphere
     expectDone "${view[@]}" -v --noise 0.1 -o out/a.png --stats stats.json
     awk -v noise="$(jsonValue stats.json noise)" 'BEGIN { exit !(noise > 0.05 && noise <= 0.1) }' || fail "not the noise"
-    grep -q "noise 0\." stderr || fail "the progress does not tell the noise"
+    grep -q "noise 0\." stderr || fail "the progress does not show the noise"
     expectDone "${view[@]}" -q --noise 0.0001 --spp 9 -o out/a.png --stats stats.json
     [ "$(samplesOf stats.json)" = 9 ] || fail "--spp is not the most"
 }
@@ -105,7 +105,7 @@ bakeCrowd() {
     pointrt-bake -q --radius-scale 40 crowd.xyz -o crowd.pro
 }
 
-# millisecondsSince START: START in nanoseconds.
+# millisecondsSince START: prints the milliseconds since START (in nanoseconds).
 millisecondsSince() { printf '%d\n' $((($(date +%s%N) - $1) / 1000000)); }
 
 case_time_limit_of_a_crowded_scene() {

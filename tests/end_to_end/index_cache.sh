@@ -69,7 +69,7 @@ case_a_set_is_indexed_once() {
     samePictures shipped built kept
 }
 
-# Half of such a small memory limit is for tiles. Their files fit in it, but not the indices built for them.
+# Only half of such a small memory limit is for tiles. It holds the tiles' files, but not the indices built for them.
 case_memory_counts_what_is_built() {
     local each
     useCache index

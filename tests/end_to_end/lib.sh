@@ -73,8 +73,8 @@ expectKeys() {
     done
 }
 
-# useCache NAME: gives this case empty caches, but the usual one for the driver's compiled programs. $kept is the folder
-# of the cache NAME.
+# useCache NAME: gives this case empty caches, except for the driver's compiled programs. $kept is the folder of the
+# cache NAME.
 useCache() {
     export MESA_SHADER_CACHE_DIR=${XDG_CACHE_HOME:-$HOME/.cache} XDG_CACHE_HOME=$PWD/cache
     unset POINTRT_INDEX_CACHE POINTRT_BAKE_CACHE

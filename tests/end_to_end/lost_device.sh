@@ -34,9 +34,9 @@ case_a_device_lost_twice_is_an_error() {
     [ -z "$(ls -A out)" ] || fail "a picture nevertheless"
 }
 
-# If the device is lost at any point of a replay before the picture is saved, the window reopens with the scene, its edits
-# and its view, and renders the same picture.
-# The drag is within a frame, since a loss in its middle ends it; below the notice of the loss, which would take it.
+# If the device is lost at any point of a replay before the picture is saved, the window reopens with the scene, its
+# edits and its view, and renders the same picture. The drag lies within one frame, because a device loss in the middle
+# of a drag would end it, and starts below the notice about the loss, which would catch it.
 case_windows_go_on_with_the_scene() {
     local submits
     bakeBall

@@ -103,7 +103,7 @@ case_quiet() {
     expectDone pointrt-info -q scan.pro --export out/a.ply
     [ ! -s stdout ] && [ ! -s stderr ] || fail "pointrt-info -q says something"
     expectDone pointrt-info -q scan.pro
-    [ -s stdout ] || fail "-q keeps back what was asked for"
+    [ -s stdout ] || fail "-q suppresses the requested output"
 }
 
 # All examples of --help work (except the one that opens a window). cat replaces other programs.
@@ -197,7 +197,7 @@ case_pictures_of_scans() {
     cmp "$bake" scan.pro || fail "a damaged bake was used"
     sphere 50 >scans/more.xyz
     expectDone pointrt-view scans/more.xyz scans/scan.xyz -o out/e.png --integrator normal --size 64x48
-    # reasons are those of pointrt-bake
+    # the reasons are those that pointrt-bake gives
     echo nonsense >letter.xyz
     expectError 1 "letter.xyz(:[0-9]+)?: " pointrt-view letter.xyz -o out/f.png
     expectError 1 "missing.ply: No such file" pointrt-view missing.ply -o out/f.png
@@ -247,7 +247,8 @@ case_nothing_lands_on_an_input() {
     cmp scene.toml before.toml
 }
 
-# Places that cannot be written are reported before any work: otherwise the missing input would be, with exit status 1.
+# Outputs that cannot be written are reported before any work: otherwise the missing input would be reported, with exit
+# status 1.
 case_places_that_cannot_be_written() {
     bakeSphere
     expectError 4 "/proc/x.pro: .* /proc\$" pointrt-bake missing.ply -o /proc/x.pro
@@ -295,9 +296,9 @@ case_progress_of_a_bake_on_a_terminal() {
     sed 's/^baking *\([0-9]*\)%.*/\1/' drawn | sort -nc || fail "the share goes back"
     [ "$(sed 's/^baking *\([0-9]*\)%.*/\1/' drawn | tail -n 1)" -ge 80 ] || fail "the share does not run over all stages"
     [ "$(sed 's/.*: \([a-z]*\) .*/\1/' drawn | uniq | wc -l)" -ge 3 ] || fail "not the stages"
-    # no estimate during the first two seconds, in which a fast machine may finish
+    # no estimate during the first two seconds, by which time a fast machine may have finished
     [ "$took_ms" -lt 4000 ] || grep -q ' left' drawn || fail "no time left after $took_ms ms"
-    ! head -n 1 drawn | grep ' left' >/dev/null || fail "a time that is left is told at the beginning"
+    ! head -n 1 drawn | grep ' left' >/dev/null || fail "a time left is shown at the beginning"
     tail -n 3 screen | grep $'\r\033\\[Kpointrt-bake: every point' >/dev/null || fail "the line is not wiped for the summary"
     tail -n 2 screen | grep '^out/a.pro: 300000 splats' >/dev/null || fail "no summary"
 }

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0
- * Preloaded: a file system without nameless files, and a process that is killed as soon as it makes sure of a file if
- * KILL_AT_SYNC is set. */
+ * Preloaded: simulates a file system without unnamed files; if KILL_AT_SYNC is set, the process is killed when it first
+ * syncs a file. */
 #define _GNU_SOURCE
 #include <errno.h>
 #include <fcntl.h>

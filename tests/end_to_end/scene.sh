@@ -60,10 +60,10 @@ case_settings_of_the_file() {
 case_the_command_line_wins() {
     writeScene
     expectDone pointrt-view scene.toml -q --size 24x16 --spp 2 --integrator path --bounces 0 -o out/a.png --stats s.json
-    [ "$(pixelsOf out/a.png)" = "24 16" ] || fail "not the size that was asked for"
-    [ "$(jsonValue s.json integrator)" = path ] || fail "not the integrator that was asked for"
-    [ "$(jsonValue s.json spp)" = 2 ] || fail "not the samples that were asked for"
-    [ "$(jsonValue s.json rays.secondary)" = 0 ] || fail "not the bounces that were asked for"
+    [ "$(pixelsOf out/a.png)" = "24 16" ] || fail "not the requested size"
+    [ "$(jsonValue s.json integrator)" = path ] || fail "not the requested integrator"
+    [ "$(jsonValue s.json spp)" = 2 ] || fail "not the requested samples"
+    [ "$(jsonValue s.json rays.secondary)" = 0 ] || fail "not the requested bounces"
     local normals=(pointrt-view scene.toml -q --integrator normal) # light takes a second a picture
     expectDone "${normals[@]}" -o out/file.png
     expectDone "${normals[@]}" --eye 0,2,6 --fov 40 -o out/same.png

@@ -173,7 +173,7 @@ gaussians() {
     done
 }
 
-# A row of balls does not tell what is up, and the custom of the format is worth little: both tools say so.
+# A row of balls does not show which way is up, and the format's convention is only a guess: both tools say so.
 case_captures_without_a_base_have_a_guessed_up() {
     gaussians 000 100 200 >row.splat
     expectDone pointrt-bake row.splat -o row.pro --stats stats.json
@@ -229,7 +229,7 @@ case_balls_have_the_up_of_discs() {
     done
 }
 
-# The up direction stored in a file, found or guessed by the bake, has the effect of --up. A ball's points tell nothing:
+# The up direction stored in a file, found or guessed by the bake, acts like --up. The points of a ball do not show it:
 # z is guessed.
 case_up_directions() {
     bakeHill
@@ -241,7 +241,7 @@ case_up_directions() {
     grep -q 'up is z, from .*--up' log || fail "the bake does not say that it found what is up"
     [ "$(jsonValue found.json up_from)" = data ] || fail "the report does not say so"
     [ "$(jsonValue known.json up_from)" = option ] || fail "the report does not say who said it"
-    [ "$(jsonValue silent.json up_from)" = guess ] || fail "a ball does not tell what is up"
+    [ "$(jsonValue silent.json up_from)" = guess ] || fail "a ball does not show its up axis"
     local picture="--integrator normal --size 48x32 --spp 1"
     # shellcheck disable=SC2086
     {
@@ -275,7 +275,7 @@ case_sections_are_clips_seen_in_true_scale() {
     # shellcheck disable=SC2086
     {
         expectDone pointrt-view ball.pro --section z=0.3 $look -o out/plan.png
-        grep -q 'section .* a pixel' stderr || fail "the viewer does not say the scale"
+        grep -q 'section .* per pixel' stderr || fail "the viewer does not say the scale"
         expectDone pointrt-view -q cut.toml --up z --view top --ortho fit $look -o out/top.png
         expectDone pointrt-view -q ball.pro --view top --ortho fit $look -o out/whole.png
         expectDone pointrt-view -q ball.pro --clip=-2,-2,-2,2,2,0.3 --view top --ortho fit $look -o out/box.png
@@ -448,7 +448,7 @@ case_denoise_and_exposure() {
     [ "$(jsonValue data.json denoise_ms)" = 0 ] || fail "data are denoised unasked"
 }
 
-# pngChannels FILE: by the colour type of its header.
+# pngChannels FILE: prints the number of channels, from the colour type in its header.
 pngChannels() {
     case $(od -An -t u1 -j 25 -N 1 "$1" | tr -d ' ') in
     2) echo 3 ;;
@@ -457,7 +457,7 @@ pngChannels() {
     esac
 }
 
-# Transparent pictures have an alpha channel, however they are written.
+# Transparent pictures have an alpha channel, whichever way they are written.
 case_background() {
     local denoise
     bakeSphere
@@ -474,7 +474,7 @@ case_background() {
     cmp out/off.png out/scene.png || fail "the scene file's differs"
 }
 
-# The viewer goes to machines that have a driver and little else.
+# The viewer must run on machines with little more than a driver.
 case_light_dependencies() {
     ldd "$POINTRT_BIN/pointrt-view" >libraries
     ! grep -Ei 'pcl|flann|cgal|draco|boost' libraries || fail "the viewer is linked to the bake's libraries"

@@ -335,7 +335,7 @@ case_a_kill_loses_a_second_of_edits() {
         views=$(cat "$left"/*.toml | grep -c '^\[\[view\]\]')
         echo "killed after $shots edits: $views are kept"
         [ "$views" -ge $((shots - 2)) ] || fail "of $shots edits only $views are kept"
-        # Esc restores them, being the last answer
+        # Esc restores them, as it is the last answer
         replay "0 wait 1
 3 key down Escape
 3 key up Escape
@@ -350,7 +350,7 @@ case_a_kill_loses_a_second_of_edits() {
     done
 }
 
-# Ctrl+Q asks for unsaved edits; Esc cancels the question, Ctrl+Z makes it needless.
+# Ctrl+Q asks about unsaved edits; Esc cancels the question, Ctrl+Z makes it unnecessary.
 case_asks_before_edits_are_lost() {
     bakeHalf
     replay "0 wait 1
@@ -411,7 +411,8 @@ case_scans_are_moved_and_undone() {
     grep -Eq "scale = 1\.[1-9]" egg-1.toml || fail "the saved scene has another scale"
 }
 
-# The arrow along z, at the middle of the free part of the window, moves the scan up; the drag turns no view.
+# The arrow along z, in the middle of the free part of the window, moves the scan up; dragging it does not turn the
+# view.
 case_arrows_move_scans() {
     sphere 2000 | awk '{ print $1, 0.5 * $2, 0.3 * $3 }' >egg.xyz
     pointrt-bake -q egg.xyz -o egg.pro

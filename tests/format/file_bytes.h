@@ -147,7 +147,7 @@ inline std::uint64_t touchEverything(const pro_info& info, const pro_view& view)
     return sum;
 }
 
-/// Reads every value of attributes and sensors.
+/// Reads every value of the attributes and sensors.
 inline std::uint64_t touchSaid(const pro_info& info, const pro_file* file) {
     double sum = 0;
     pro_attribute attribute;

@@ -12,7 +12,7 @@
 namespace pointrt::test {
 namespace {
 
-constexpr std::size_t kBall = 2; ///< the splat that is one
+constexpr std::size_t kBall = 2; ///< the splat that is a ball
 
 Scene sceneWithBall() {
     Scene scene = tinyScene();

@@ -46,7 +46,7 @@ TEST(Codec, PositionsStayWithinHalfAStep) {
 }
 
 TEST(Codec, PositionsNeverLeaveTheirStep) {
-    // floor(x * 2^21) does not change: a centre stays in its octree cell at every depth
+    // floor(x * 2^21) must not change: a centre stays in its octree cell at every depth
     for (const std::uint32_t code : {0u, 1u, 2047u, 2048u, 0x155555u, 0x1FFFFEu, 0x1FFFFFu}) {
         const float low = static_cast<float>(code) * PRO_POSITION_STEP;
         for (const float at : {low, std::nextafter(low + PRO_POSITION_STEP, 0.0f)}) {

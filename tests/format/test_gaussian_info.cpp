@@ -27,7 +27,7 @@ struct GaussianInfo : testing::Test {
         write(scene, TinyGaussians(scene));
     }
 
-    /// In input order 3 0 4 1 2.
+    /// Writes the Gaussians in the input order 3 0 4 1 2.
     void write(Scene& scene, const TinyGaussians& gaussians) {
         scene.order = {3, 0, 4, 1, 2};
         ASSERT_EQ(gaussians.write(scene, pro), PRO_OK);
@@ -94,7 +94,7 @@ TEST_F(GaussianInfo, ExportsGaussiansInInputOrder) {
             EXPECT_EQ(value[3 + k], 0.0f);
             EXPECT_NEAR(0.5 + 0.28209479177387814 * double{value[6 + k]}, gaussian.color[k], 1e-6);
             EXPECT_NEAR(std::exp(value[19 + k]), 2 * gaussian.deviation[k], 1e-5 * gaussian.deviation[k]);
-            for (std::size_t h = 0; h < 3; ++h) // by colour here, by coefficient there
+            for (std::size_t h = 0; h < 3; ++h) // ordered by colour here, and by coefficient there
                 EXPECT_FLOAT_EQ(value[9 + 3 * k + h],
                                 static_cast<float>(file.harmonics(splat_of_row[row])[3 * h + k]) / 127 * 0.5f);
         }
@@ -106,7 +106,8 @@ TEST_F(GaussianInfo, ExportsGaussiansInInputOrder) {
 TEST_F(GaussianInfo, LogitsOfTheEndsAreFiniteAndCodedAgainAsTheEnds) {
     Scene scene = tinyScene();
     TinyGaussians gaussians(scene, 0);
-    gaussians.words[1] &= ~(PRO_OPACITY_LOW_MASK << PRO_OPACITY_LOW_SHIFT); // of splat 0; that of splat 4 is 1
+    // the opacity of splat 0; that of splat 4 is 1
+    gaussians.words[1] &= ~(PRO_OPACITY_LOW_MASK << PRO_OPACITY_LOW_SHIFT);
     gaussians.words[2] &= (1u << PRO_OPACITY_HIGH_SHIFT) - 1;
     write(scene, gaussians);
     const std::vector<float> values = propertiesOf(run(pro + " --export -"), 0);

@@ -72,7 +72,7 @@ TEST(GaussianCodec, RotationsStayWithinTheStatedAngle) {
     double worst = 0;
     for (int i = 0; i < 300000; ++i) {
         pro_gaussian gaussian = plainGaussian();
-        const bool even = i % 2 == 0; // worst where no component is larger than the others
+        const bool even = i % 2 == 0; // the worst case is where no component is larger than the others
         float squared = 0;
         for (float& each : gaussian.rotation) {
             each = even ? std::copysign(1 + 0.01f * normal(random), normal(random)) : normal(random);
@@ -138,7 +138,7 @@ TEST(GaussianCodec, OpacitiesColoursAndMeansStayWithinHalfAStep) {
         ASSERT_LE(std::fabs(double{decoded.opacity} - gaussian.opacity), kOpacityError + 1e-7);
         for (int k = 0; k < 3; ++k) {
             ASSERT_LE(std::fabs(decoded.mean[k] - gaussian.mean[k]), kMeanError);
-            const double steps = k == 2 ? 1 : 0.5; // blue has a bit less
+            const double steps = k == 2 ? 1 : 0.5; // blue has half a bit less
             ASSERT_LE(std::fabs(double{decoded.color[k]} - gaussian.color[k]), steps * coding.color_step + 1e-6);
         }
     }
@@ -198,7 +198,7 @@ TEST(GaussianCodec, HarmonicsByDegree) {
     EXPECT_EQ(pro_harmonic_count(0xFFFFFFFF), 0u);
 }
 
-/// The first bytes of the pointers of two sets of Gaussians, and all else.
+/// The pointers in two sets of Gaussians must be equal, and all other bytes.
 void expectSameGaussians(const pro_gaussians& read, const TinyGaussians& written) {
     const pro_gaussians view = written.view();
     EXPECT_EQ(read.degree, view.degree);
@@ -284,7 +284,7 @@ TEST(Gaussians, HarmonicsOfDegreeZeroAreNotWritten) {
     EXPECT_EQ(ProFile(folder.file("a.pro")).gaussians()->harmonics, nullptr);
 }
 
-/// Of splats 1 and 3; splat 4 and others have codes alone.
+/// Exact parameters for splats 1 and 3; splat 4 and the others have only codes.
 std::vector<pro_exact_gaussian> twoExact() {
     return {{1, {0.8f, 0, 0.6f, 0}, {0.011f, 0.012f, 1e-15f}, 0.004f}, {3, {0, 0, 0, -1}, {1, 2, 3}, 0.987654f}};
 }
@@ -322,7 +322,8 @@ TEST(Gaussians, ReadersWithoutExactParametersSeeCodes) {
     ASSERT_EQ(gaussians.write(scene, folder.file("a.pro")), PRO_OK);
     Bytes bytes = readBytes(folder.file("a.pro"));
     EXPECT_EQ(loadAt(bytes, recordOf(bytes, PRO_KIND_GEXA) + PRO_SEC_OFF_FLAGS), 0u);
-    storeAt(bytes, recordOf(bytes, PRO_KIND_GEXA) + PRO_SEC_OFF_KIND, 0x78787878u); // a kind that none knows
+    // a section kind that no reader knows
+    storeAt(bytes, recordOf(bytes, PRO_KIND_GEXA) + PRO_SEC_OFF_KIND, 0x78787878u);
     fixHeaderChecksum(bytes);
     EXPECT_EQ(openCopy(bytes).result, PRO_OK);
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Files that releases wrote open for ever, and today's writer gives the same bytes.
+// Files written by any release must stay readable, and today's writer gives the same bytes.
 #include <gtest/gtest.h>
 
 #include "file_bytes.h"
@@ -12,7 +12,7 @@ namespace {
 using namespace pointrt;
 using namespace pointrt::test;
 
-/// What pointrt-bake --compact of release 0.1.0 writes: without an index, stamped 1.0 here.
+/// The output of pointrt-bake --compact of release 0.1.0: without an index, and stamped 1.0 here.
 const std::string kCompact = POINTRT_GOLDEN_DIR "/tiny_compact.pro";
 
 TEST(Golden, CompactReads) {

@@ -215,7 +215,7 @@ TEST(Hostile, LaterMinorVersionsAreRead) {
     storeAt(bytes, PRO_OFF_VERSION_MINOR, 9u);
     storeAt(bytes, PRO_OFF_FLAGS, 0xFFu);
     storeAt(bytes, PRO_FIELDS_END, 5u);                                              // a field of a later version
-    storeAt(bytes, word(PRO_KIND_MATL, PRO_MAT_SHININESS + 1), 1.5f);                // another
+    storeAt(bytes, word(PRO_KIND_MATL, PRO_MAT_SHININESS + 1), 1.5f);                // another out-of-range value
     storeAt(bytes, recordOf(bytes, PRO_KIND_NODE) + PRO_SEC_OFF_FLAGS + 4, 0x1234u); // and one in the table
     fixChecksums(bytes);
     EXPECT_EQ(openCopy(bytes).result, PRO_OK);
@@ -240,7 +240,7 @@ TEST(Hostile, NodeWords) {
     constexpr std::uint32_t kInner = PRO_NODE_INNER;
     expectRefused(word(PRO_KIND_NODE, 3), 1u, 3001);
     expectRefused(word(PRO_KIND_NODE, 0), kInner | 0u, 3002); // a cycle
-    expectRefused(word(PRO_KIND_NODE, 9), kInner | 1u, 3002); // another
+    expectRefused(word(PRO_KIND_NODE, 9), kInner | 1u, 3002); // another cycle
     expectRefused(word(PRO_KIND_NODE, 9), 0xFFFFFFFFu, 3002);
     expectRefused(word(PRO_KIND_NODE, 0), 0u, 3003);
     expectRefused(word(PRO_KIND_NODE, 16), kInner | 3u, 3004); // one group too many

@@ -61,7 +61,7 @@ std::size_t nodeWord(std::size_t node, std::size_t word) {
 }
 std::size_t listWord(std::size_t i) { return sectionOf(soundGaussians(), PRO_KIND_GLST) + 4 * i; }
 
-/// The file with a section of another number of elements.
+/// The file with a different number of elements in a section.
 Bytes withGaussianCount(std::uint32_t kind, std::uint64_t count) {
     Bytes bytes = soundGaussians();
     storeAt(bytes, gaussianRecord(kind, PRO_SEC_OFF_COUNT), count);
@@ -130,7 +130,7 @@ TEST(HostileGaussians, AllSectionsOrNone) {
     Bytes bytes = soundGaussians();
     for (const std::uint32_t kind : kNeededKinds) storeAt(bytes, gaussianRecord(kind, PRO_SEC_OFF_KIND), kUnknownKind);
     fixHeaderChecksum(bytes);
-    expectRefusedWith(bytes, 9502); // exact parameters of none
+    expectRefusedWith(bytes, 9502); // exact parameters for no Gaussians
     storeAt(bytes, gaussianRecord(PRO_KIND_GEXA, PRO_SEC_OFF_KIND), kUnknownKind);
     fixHeaderChecksum(bytes);
     expectRefusedWith(bytes, 9501); // a coding without sections
@@ -160,10 +160,10 @@ TEST(HostileGaussians, SectionCounts) {
 TEST(HostileGaussians, RootGroup) {
     expectRefusedGaussians(nodeWord(3, PRO_GAUSSIAN_NODE_CHILDREN), 1u, 9503);
     expectRefusedGaussians(nodeWord(4, PRO_GAUSSIAN_NODE_FIRST), 0u, 9503);
-    expectRefusedGaussians(nodeWord(8, PRO_GAUSSIAN_NODE_FIRST), 2u, 9503); // the last of the seven would list one
+    expectRefusedGaussians(nodeWord(8, PRO_GAUSSIAN_NODE_FIRST), 2u, 9503); // then the last of the seven would list one
 }
 
-/// The root names group 1, and node 9 there group 2.
+/// The root names group 1, and node 9 in it names group 2.
 TEST(HostileGaussians, TraversalsOfNodesEnd) {
     for (const std::uint32_t group : {2u, 3u, 0x80000001u, 0xFFFFFFFFu})
         expectRefusedGaussians(nodeWord(0, PRO_GAUSSIAN_NODE_CHILDREN), group, 9504);
@@ -176,7 +176,7 @@ TEST(HostileGaussians, TraversalsOfNodesEnd) {
     expectRefusedGaussians(nodeWord(20, PRO_GAUSSIAN_NODE_CHILDREN), 3u, 9506); // there is no group 3
 }
 
-/// An octree of so many depths below the root; the deepest node lists everything.
+/// An octree of this many levels below the root; the deepest node lists everything.
 TinyGaussians deepGaussians(const Scene& scene, std::uint32_t depth) {
     TinyGaussians gaussians(scene);
     gaussians.nodes.assign((depth + 1) * PRO_GROUP_SIZE * PRO_GAUSSIAN_NODE_WORDS, 0);
@@ -228,7 +228,7 @@ TEST(HostileGaussians, ExactParameters) {
     for (const float opacity : {kNan, -0.1f, 1.1f}) expectRefusedGaussians(word(second, 8), opacity, 9513);
     EXPECT_EQ(openCopy(changedGaussians(word(first, 1), -1.0f), PRO_OPEN_SKIP_CHECKSUMS).result, PRO_OK);
     for (const std::uint64_t count :
-         {std::uint64_t{3}, std::uint64_t{1} << 40}) { // more than there are, and than memory
+         {std::uint64_t{3}, std::uint64_t{1} << 40}) { // more than there are, and more than memory holds
         const Bytes bytes = withGaussianCount(PRO_KIND_GEXA, count);
         EXPECT_EQ(openCopy(bytes, PRO_OPEN_SKIP_CHECKSUMS).result, PRO_INVALID);
     }

@@ -226,7 +226,7 @@ TEST(HostileIndex, BlendingSplats) {
     expectRefusedIndex(cell(1, PRO_CELL_BLENDING), 4u, 9111);
     expectRefusedIndex(cell(1, PRO_CELL_BLENDING), 0xFFFFFFFEu, 9111);
     expectRefusedIndex(cell(2, PRO_CELL_BLENDING_COUNT), kOffset | 3, 9111); // too many
-    expectRefusedIndex(cell(2, PRO_CELL_BLENDING_COUNT), kOffset, 9111);     // numbers of no cell
+    expectRefusedIndex(cell(2, PRO_CELL_BLENDING_COUNT), kOffset, 9111);     // numbers that belong to no cell
     expectRefusedIndex(cell(0, PRO_CELL_BLENDING_COUNT), kOffset | 0xFFFF, 9111);
     expectRefusedIndex(indexWord(PRO_KIND_BLDS, 0), 0xFFFEu, 9111); // 2 before cell 1's first, which is 1
     expectRefusedIndex(indexWord(PRO_KIND_BLDS, 0), 5u, 9111);

@@ -177,7 +177,7 @@ TEST_F(Info, UnwritableOutputIsExitFour) {
     }
 }
 
-/// The bytes of the vertices, after a header that must be exactly this.
+/// The bytes of the vertices after the header, which must be exactly this.
 std::string vertices(const std::string& file, bool color) {
     std::string header = "ply\nformat binary_little_endian 1.0\ncomment splats of a .pro file: oriented discs\n"
                          "element vertex 5\nproperty double x\nproperty double y\nproperty double z\n"

@@ -12,7 +12,7 @@ using pointrt::durationText;
 using pointrt::leftText;
 using pointrt::TimeLeft;
 
-constexpr double kStep_s = 0.1; // between two redraws
+constexpr double kStep_s = 0.1; // between two updates of the display
 
 TEST(TimeLeft, IsUnknownInTheFirstSeconds) {
     TimeLeft left;
@@ -28,7 +28,7 @@ TEST(TimeLeft, IsExactForEvenWork) {
     for (double t = 0; t <= 100; t += kStep_s) EXPECT_NEAR(left.update(t, t / 100).value_or(100 - t), 100 - t, 1e-6);
 }
 
-/// The first half of the work takes 20 of 100 s.
+/// Half of the work is done after 20 of 100 s.
 TEST(TimeLeft, ApproachesTheTruthWithoutJumps) {
     TimeLeft left;
     std::optional<double> before;

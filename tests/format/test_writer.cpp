@@ -133,7 +133,7 @@ TEST(Writer, FullDisk) {
 }
 
 TEST(Writer, FileSizeLimit) {
-    // like a full disk, but without root: the kernel stops the file at the limit
+    // like a full disk, but without root privileges: the kernel stops the file at the limit
     const TemporaryFolder folder;
     const pid_t child = fork();
     if (child == 0) {
@@ -150,7 +150,7 @@ TEST(Writer, FileSizeLimit) {
 }
 
 TEST(Writer, KilledLeavesNothing) {
-    // the signal of the limit kills the writer half way; only an unnamed file vanishes then
+    // the signal for the limit kills the writer half way; only an unnamed file disappears in that case
     const TemporaryFolder folder;
     const int probe = open(folder.path.c_str(), O_TMPFILE | O_WRONLY, 0600);
     if (probe < 0) GTEST_SKIP() << "NOT TESTED: this file system has no unnamed files";

@@ -62,7 +62,7 @@ struct TinyGaussians {
     }
 
 private:
-    /// A Gaussian of exact codes, so that every machine writes the same bytes.
+    /// A Gaussian that codes represent exactly, so that every machine writes the same bytes.
     void add(const Scene& scene, std::size_t i) {
         const std::uint32_t* splat = &scene.splats[i * PRO_SPLAT_WORDS];
         pro_splat at;

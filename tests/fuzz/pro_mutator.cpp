@@ -112,9 +112,9 @@ public:
         if (content.size() < 4) changeWindow(content);
     }
 
-    /// Elements more or fewer, but where those take more than that; what counts them in the header goes with them.
+    /// Adds or removes elements (fewer added if they take more space than that), and adjusts the counts in the header.
     void resize(Parts& parts, Part& part, std::size_t most) {
-        constexpr std::size_t kMore = 4; // a few are as good as many
+        constexpr std::size_t kMore = 4; // a few are enough
         const std::size_t stride = std::max<std::size_t>(part.stride(), 1), count = part.content.size() / stride;
         const std::size_t resized = oneIn(2) ? count + 1 + below(kMore) : count - std::min(count, 1 + below(kMore));
         const auto resizeTo = [&](Part& each, std::size_t bytes) { // a mutant may have any stride

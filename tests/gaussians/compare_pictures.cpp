@@ -66,7 +66,7 @@ FloatPicture readPicture(const std::string& path) {
     throw Error(ExitCode::kBadUsage, path + ": must be a .pfm, .png or .exr");
 }
 
-/// Compresses highlights as PNG files of pointrt-view have them.
+/// Compresses highlights as pointrt-view does in PNG files.
 void toneMapPicture(FloatPicture& picture) {
     for (std::size_t i = 0; i + 2 < picture.values.size(); i += 3) {
         float* const rgb = &picture.values[i];

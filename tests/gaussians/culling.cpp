@@ -8,7 +8,7 @@ namespace pointrt::test {
 
 namespace {
 
-/// Relative margin of all tests: far more than rounding errors, far less than a pixel.
+/// Relative margin of all tests: much larger than rounding errors, much smaller than a pixel.
 constexpr double kMargin = 1e-9;
 
 SeenEllipsoid seenEllipsoid(const Double3& eye, const OracleTransform& transform) {
@@ -47,7 +47,7 @@ Pyramid pyramidOf(const OracleCamera& camera, PixelRectangle r) {
     for (std::size_t k = 0; k < 4; ++k) {
         const Double3 normal = unit(cross(corners[k], corners[(k + 1) % 4]));
         pyramid.inwards[k] = times(dot(normal, pyramid.axis) < 0 ? -1 : 1, normal);
-        // a cone of less than a right angle is convex: it holds what lies between the corners
+        // a cone narrower than a right angle is convex, so it contains everything between the corners
         pyramid.cosine = std::min(pyramid.cosine, dot(corners[k], pyramid.axis));
     }
     pyramid.sine = std::sqrt(std::max(0.0, 1 - pyramid.cosine * pyramid.cosine));

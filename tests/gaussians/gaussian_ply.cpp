@@ -18,7 +18,7 @@ static_assert(std::endian::native == std::endian::little, "values are read and w
 /// The constant harmonic, 1 / (2 sqrt(pi)).
 constexpr double kConstantHarmonic = 0.28209479177387814;
 
-/// Even in single precision 1 / (1 + exp(-40)) is 1.
+/// The largest logit: in single precision 1 / (1 + exp(-40)) is already 1.
 constexpr double kLargestLogit = 40;
 
 [[noreturn]] void fail(const std::string& path, const std::string& reason) {
@@ -58,14 +58,14 @@ PlyLayout readPlyLayout(const std::string& path, std::istream& file) {
     return layout;
 }
 
-/// Coefficients of a channel beside the constant one.
+/// Number of a channel's coefficients besides the constant one.
 std::size_t harmonicsIn(const PlyLayout& layout) {
     std::size_t values = 0;
     while (layout.columns.count("f_rest_" + std::to_string(values))) ++values;
     return values / 3;
 }
 
-/// Where the numbers of a Gaussian lie in the order of columnsOf; harmonics follow.
+/// Indices of a Gaussian's numbers in the order of columnsOf; harmonics follow.
 enum Plain { kMean, kColor = 3, kOpacity = 6, kScale = 7, kRotation = 10, kPlainCount = 14 };
 
 std::vector<std::string> columnsOf(std::size_t harmonics) {
@@ -75,7 +75,7 @@ std::vector<std::string> columnsOf(std::size_t harmonics) {
     return names;
 }
 
-/// Where the properties named lie in a row of the file.
+/// The columns of the named properties in a row of the file.
 std::vector<std::size_t> placesOf(const std::string& path, const PlyLayout& layout,
                                   const std::vector<std::string>& names) {
     std::vector<std::size_t> places;

@@ -34,7 +34,7 @@ std::vector<Double3> harmonicsOf(const pro_gaussians& all, std::size_t index) {
     return harmonics;
 }
 
-/// From the units of the cube to those of the input.
+/// Converts cube units to input units.
 OracleGaussian placed(const pro_gaussian& gaussian, const pro_info& info) {
     OracleGaussian result;
     for (std::size_t k = 0; k < 3; ++k) {

@@ -9,12 +9,12 @@ namespace pointrt::test {
 
 namespace {
 
-/// Numbers that are the same with every standard library.
+/// Random numbers that are the same with every standard library.
 struct Dice {
     std::mt19937_64 bits;
 
     double between(double low, double high) { return low + (high - low) * std::ldexp(double(bits() >> 11), -53); }
-    /// Equal shares for equal ratios.
+    /// A log-uniform number: equal ratios are equally likely.
     double scaled(double low, double high) { return low * std::pow(high / low, between(0, 1)); }
     Double3 inCube(double half) { return {between(-half, half), between(-half, half), between(-half, half)}; }
 };
@@ -57,7 +57,7 @@ OracleGaussian layer(Dice& dice) {
     gaussian.mean = {0, 0, dice.between(-1, 1)};
     gaussian.deviation = {0.5, 0.5, 1e-4};
     gaussian.rotation = {1, 0, 0, 0};
-    gaussian.opacity = dice.between(0.004, 0.006); // 2,000 of them leave a ten-thousandth
+    gaussian.opacity = dice.between(0.004, 0.006); // 2,000 of them let a ten-thousandth through
     return gaussian;
 }
 
@@ -96,7 +96,7 @@ const Kind& kindNamed(const std::string& name) {
     throw std::invalid_argument(name + " is not a kind of Gaussians");
 }
 
-/// Gives each group of Gaussians the shape of its first.
+/// Gives all Gaussians of a group the shape of its first one.
 void duplicate(std::vector<OracleGaussian>& gaussians) {
     for (std::size_t k = 0; k < gaussians.size(); ++k) {
         const Double3 color = gaussians[k].color;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Made scenes of Gaussians that are hard to trace. All but giants lie around the cube from -1 to 1.
+// Synthetic scenes of Gaussians that are hard to trace. All except giants lie around the cube from -1 to 1.
 #pragma once
 
 #include <cstddef>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a ray sees of translucent Gaussians, by brute force over all of them in double precision: the known answers for
-// the ray tracer. Moenne-Loccoz et al., 3D Gaussian Ray Tracing, 2024; colours as in Kerbl et al., 3D Gaussian
-// Splatting for Real-Time Radiance Field Rendering, 2023. Shares no code with the tracer.
+// The light that a ray sees of translucent Gaussians, by brute force over all of them in double precision: the
+// reference for the ray tracer. Moenne-Loccoz et al., 3D Gaussian Ray Tracing, 2024; colours as in Kerbl et al., 3D
+// Gaussian Splatting for Real-Time Radiance Field Rendering, 2023. Shares no code with the tracer.
 #pragma once
 
 #include <array>
@@ -14,7 +14,7 @@
 
 namespace pointrt::test {
 
-/// A Gaussian below this opacity along a ray does not count; none has more than the other.
+/// A Gaussian with a lower opacity along a ray does not count; no opacity exceeds the other constant.
 constexpr double kOracleAlphaMin = 1.0 / 255, kOracleAlphaMax = 0.99;
 
 /// The usual transmittance below which a ray ends.
@@ -34,7 +34,7 @@ struct OracleGaussian {
     int degree() const; ///< of the harmonics, 0 to 3
 };
 
-/// t counts in lengths of direction, which is 1.
+/// t is in lengths of the direction, which is a unit vector.
 struct OracleRay {
     Double3 origin{}, direction{0, 0, 1};
     double t_max = std::numeric_limits<double>::infinity();
@@ -50,7 +50,7 @@ struct OracleTransform {
 
 struct OracleScene {
     std::vector<OracleGaussian> gaussians;
-    std::vector<OracleTransform> transforms; ///< one each
+    std::vector<OracleTransform> transforms; ///< one for each Gaussian
 };
 
 /// Throws std::invalid_argument if a Gaussian has no shape: a deviation or a rotation of 0, numbers that are not
@@ -91,7 +91,7 @@ struct OracleComposite {
     bool operator==(const OracleComposite&) const = default;
 };
 
-/// Composites sorted hits front to back. The Gaussian that brings the transmittance below stop_below still counts, the
+/// Composites sorted hits front to back. The Gaussian that lowers the transmittance below stop_below still counts, the
 /// next one does not; kNeverStop: all count.
 OracleComposite composite(const OracleScene& scene, const OracleRay& ray, std::span<const OracleHit> hits,
                           double stop_below = kOracleStop);

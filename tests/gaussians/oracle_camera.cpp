@@ -9,7 +9,7 @@ namespace pointrt::test {
 
 namespace {
 
-/// A sine below which up counts as along the view.
+/// Sines below this count as up being along the view.
 constexpr double kParallelSine = 1e-6;
 
 struct HashedPair {
@@ -35,7 +35,7 @@ HashedPair hashOf(std::uint32_t x, std::uint32_t y, std::uint32_t z) {
     return {x, y};
 }
 
-/// The upper 24 bits of both, as a float holds them, added around the unit interval.
+/// The upper 24 bits of both, as a float holds them, added with wrap-around in the unit interval.
 double shifted(std::uint32_t shift, std::uint32_t steps) {
     return std::ldexp(static_cast<double>(((shift >> 8) + (steps >> 8)) & 0xFFFFFFu), -24);
 }

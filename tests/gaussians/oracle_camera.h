@@ -26,8 +26,8 @@ OracleCamera lookAt(const OracleView& view, std::uint32_t width, std::uint32_t h
 /// The ray through a position of the picture.
 OracleRay rayThrough(const OracleCamera& camera, double x, double y);
 
-/// Where in its pixel a sample lies, 0 to 1 from its upper left corner, if there are several: a sequence that a hash of
-/// the pixel shifts (shaders/lib/camera_ray.glsl). A picture of one sample takes the centre.
+/// The place of a sample in its pixel, 0 to 1 from the upper left corner, if there are several samples: a sequence that
+/// a hash of the pixel shifts (shaders/lib/camera_ray.glsl). A picture of one sample takes the centre.
 struct PixelOffset {
     double x = 0.5, y = 0.5;
 };

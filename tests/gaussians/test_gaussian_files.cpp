@@ -20,7 +20,7 @@ protected:
     TemporaryFolder folder;
     std::string path = folder.file("gaussians.ply");
 
-    /// A PLY of one Gaussian.
+    /// Writes a PLY with one Gaussian.
     void writeOne(const std::vector<std::string>& names, const std::vector<float>& values,
                   const std::string& format = "binary_little_endian", const std::string& type = "float") {
         std::ofstream file(path, std::ios::binary);

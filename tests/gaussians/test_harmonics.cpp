@@ -71,7 +71,7 @@ OracleGaussian tinted(const Double3& mean, std::vector<Double3> harmonics) {
 
 TEST(Harmonics, AddToTheConstantColor) {
     const OracleGaussian gaussian = tinted({}, {{0, 0, 0}, {0.1, -0.2, 0.3}, {0, 0, 0}});
-    const double basis = std::sqrt(3 / (4 * pi)); // of z, along z
+    const double basis = std::sqrt(3 / (4 * pi)); // the harmonic along z, at z = 1
     const Double3 color = colorAlong(gaussian, harmonicBasis({0, 0, 1}));
     EXPECT_NEAR(color[0], 0.5 + 0.1 * basis, 1e-12);
     EXPECT_NEAR(color[1], 0.25 - 0.2 * basis, 1e-12);

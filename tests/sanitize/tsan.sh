@@ -61,7 +61,7 @@ outcomes() {
             status = /status="run"/ ? "passed" : "failed"
         }
         /<skipped/ { status = "skipped" }
-        # 3 is the exit code of tools for what this machine cannot do; some tests print only that code
+        # 3 is the exit code for what this machine cannot do; some tests print only that code
         /no Vulkan driver: install one|^    Which is: 3$/ && status == "failed" { status = "device" }
         name != "" && /<\/testcase>/ { end() }' "$junit"
 }
@@ -86,7 +86,7 @@ TSAN_OPTIONS="log_path=$reports/report" ctest --preset tsan -j "$(nproc)" --no-t
 
 outcomes >"$build/outcomes"
 count() { grep -c "^$1 " "$build/outcomes" || true; }
-echo "$(count passed) passed, $(count skipped) skipped, $(count device) left out when they asked for a device, $(count failed) failed"
+echo "$(count passed) passed, $(count skipped) skipped, $(count device) left out because they need a device, $(count failed) failed"
 sed -n 's/^failed /FAILED: /p' "$build/outcomes"
 summaries=$(find "$reports" -type f -exec sed -n 's/^SUMMARY: ThreadSanitizer: //p' {} + | sort | uniq -c | sort -rn)
 [ -z "$summaries" ] || printf 'reports, how many times each; in full in %s:\n%s\n' "$reports" "$summaries"

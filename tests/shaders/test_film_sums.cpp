@@ -31,7 +31,7 @@ std::vector<FilmSumsAnswer> sumOnDevice(const std::vector<ProbeLights>& lights) 
 
 double meanLight(const ProbeLights& light) { return (double{light.even} + light.odd) / 2 + light.more; }
 
-/// Dim light beside bright light is what a sum of all samples loses.
+/// Dim light beside bright light is what a single sum of all samples would lose.
 const std::vector<ProbeLights> kProbeLights = {
     {0.3f, 0.3f, 0},       {0.1f, 0.1f, 0},         {0.7f, 0.2f, 0},        {1e-4f, 1.9e-3f, 0}, {123.4f, 23.5f, 0},
     {1, 1, 0.001f},        {1.9f, 1.9f, 0.0017f},   {1.5f, 0.1f, 0.004f},   {3e4f, 0.2f, 0.1f},  {0.8f, 0.801f, 0.02f},

@@ -129,7 +129,7 @@ TEST(Sampler, StaysBelowOneAndChangesWithPixelPairAndSeed) {
 std::array<double, 2> errors(std::uint32_t n,
                              const std::function<std::array<double, 2>(std::uint32_t, std::uint32_t)>& point,
                              std::uint32_t pixels) {
-    // exp(x + y) has (e - 1)^2, the quarter of the unit disc pi / 4
+    // the integral of exp(x + y) is (e - 1)^2, that of the quarter of the unit disc pi / 4
     const double smooth = (std::numbers::e - 1) * (std::numbers::e - 1), edged = pi / 4;
     std::array<double, 2> squares{};
     for (std::uint32_t pixel = 0; pixel < pixels; ++pixel) {
@@ -167,7 +167,7 @@ TEST(Sampler, ConvergesFasterThanRandomNumbers) {
         kPixels);
     std::printf("rms error of 256 samples, ours over random: smooth %.2g, edged %.2g\n", ours[0] / theirs[0],
                 ours[1] / theirs[1]);
-    // n^-3/2 and n^-3/4 against n^-1/2: by 256 samples a factor of 256 and of 4 at best
+    // errors fall as n^-3/2 and n^-3/4 instead of n^-1/2: by factors of up to 256 and 4 at 256 samples
     EXPECT_LT(ours[0], theirs[0] / 64);
     EXPECT_LT(ours[1], theirs[1] / 2.5);
 }
@@ -190,7 +190,7 @@ TEST(Sampler, HasNoCorrelationBetweenPairsAndPixels) {
         for (std::uint32_t k = 0; k <= kOthers; ++k)
             receivers.push_back({{0, 0, 0, pixels ? 2.0f : static_cast<float>(k)}, {0, pixels ? k : 77u, 9, 0}});
         const auto answers = sampleLights({gpu::Light{}}, receivers, kCount);
-        std::vector<double> rows[4]; // one and the next pair (or pixel): x, y, next x, next y
+        std::vector<double> rows[4]; // one pair (or pixel) and the next: x, y, next x, next y
         for (std::uint32_t k = 0; k < kOthers; ++k)
             for (std::uint32_t i = 0; i < kCount; ++i) {
                 const gpu::vec4 &one = answers[k * kCount + i].sample2, &next = answers[(k + 1) * kCount + i].sample2;
@@ -397,7 +397,7 @@ TEST(Lights, QuadGivesLambertsFormula) {
     }
 }
 
-// Uniform over solid angle: only the cosine varies between samples.
+// With samples uniform over the solid angle, only their cosine varies.
 TEST(Lights, NearbyQuadIsSampledUniformlyOverSolidAngle) {
     const QuadLight quad = panel();
     const Vec3 normal = normalize(cross(quad.u, quad.v)), point = quad.center + 0.9 * quad.u - 0.3 * normal;
@@ -527,7 +527,7 @@ TEST(Lights, DensitiesIntegrateToOne) {
                                        QuadLight{{0.5, 1.0, 1.5}, {2, 0, 0}, {0, 1, 0}, {1, 1, 1}, true},
                                        QuadLight{{0.5, 3.0, 7.5}, {0.7, 0, 0}, {0, 0.7, 0}, {1, 1, 1}, true}};
     for (const LightDescription& light : lights) {
-        std::vector<Vec3> points(8, point); // eight seeds
+        std::vector<Vec3> points(8, point); // one per seed
         std::vector<Receiver> receivers;
         for (std::uint32_t seed = 0; seed < 8; ++seed)
             receivers.push_back(receiverAt(point)), receivers.back().light.z = seed;

@@ -85,7 +85,7 @@ std::vector<vec4> evenInputs(std::uint32_t count) {
     double at[] = {0.5, 0.5, 0.5};
     for (vec4& input : inputs) {
         for (int i = 0; i < 3; i++) at[i] = std::fmod(at[i] + steps[i], 1.0);
-        // 1 is out of range; doubles near it round to it
+        // 1 is out of range, and doubles close to 1 round to it
         input = {static_cast<float>(at[0] * 0.9999999), static_cast<float>(at[1] * 0.9999999),
                  static_cast<float>(at[2] * 0.9999999), 0};
     }
@@ -108,7 +108,7 @@ protected:
         destroyProgram(device, program_);
     }
 
-    /// An answer for each input: random numbers or, if directions, light directions.
+    /// An answer for each input: inputs are random numbers or, if `directions`, light directions.
     std::vector<MaterialAnswer> evaluate(Surface surface, const std::vector<vec4>& inputs, bool directions = false) {
         surface.view.w = directions ? 1.0f : 0.0f;
         Buffer surface_buffer = createFilledBuffer(device, "surface", &surface, sizeof surface, kStorage);
@@ -339,7 +339,7 @@ TEST_F(MaterialTest, ColoredMetalReflectsItsColorAtNormalIncidence) {
     }
 }
 
-/// Fresnel's equations in terms of angles, an independent form, for light going from index a to index b.
+/// Fresnel's equations in terms of angles, an independent form, for light that passes from index a to index b.
 double fresnelByAngles(double incident, double a, double b) {
     const double sine = a / b * std::sin(incident);
     if (sine >= 1) return 1;
@@ -383,7 +383,8 @@ TEST_F(MaterialTest, GlassIsChosenByFresnelAndReflectsAllBeyondTheCriticalAngle)
         EXPECT_EQ(dot(toVec3(answer.scattered), toVec3(glass.normal)) < 0, hasFlag(answer, kTransmitted));
     }
     EXPECT_NEAR(share, reflected, 0.001);
-    const Surface inside = makeSurface(makeMaterial(MATERIAL_GLASS), 0.8f, 0.7, 0, true); // 45.6 of 41.8 degrees
+    // 45.6 degrees; the critical angle is 41.8
+    const Surface inside = makeSurface(makeMaterial(MATERIAL_GLASS), 0.8f, 0.7, 0, true);
     for (const MaterialAnswer& answer : evaluate(inside, evenInputs(512))) {
         EXPECT_FALSE(hasFlag(answer, kTransmitted));
         EXPECT_EQ(answer.weight.y, 1);

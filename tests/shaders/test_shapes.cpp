@@ -52,7 +52,7 @@ struct ShapeRandom {
     }
 };
 
-/// In general position, about half a unit in size; round shapes stay round.
+/// A shape in general position, about half a unit in size; round shapes stay round.
 ShapeDescription someShape(ShapeRandom& random, ShapeKind kind) {
     const Vec3 u = random.direction(), v = normalize(cross(u, random.direction())), w = cross(u, v);
     const double size = 0.2 + 0.5 * std::abs(random.next());

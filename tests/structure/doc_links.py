@@ -16,7 +16,7 @@ INLINE = re.compile(r"`[^`\n]*`")
 
 
 def documents(root):
-    """The Markdown files of the tree: tracked ones, or all outside of build folders where there is no git."""
+    """The Markdown files of the tree: the tracked ones, or without git all outside build folders."""
     try:
         listed = subprocess.run(["git", "-C", root, "ls-files", "-co", "--exclude-standard", "*.md"], check=True,
                                 capture_output=True, text=True).stdout.split("\n")

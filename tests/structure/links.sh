@@ -4,7 +4,7 @@
 # links.sh pointrt-bake pointrt-view LIBRARY
 set -euo pipefail
 
-# holds FILE: whether it has symbols of format/pointio: openLas in C++, scan_laz_open and others in Rust.
+# holds FILE: whether it contains symbols of format/pointio: openLas in C++, scan_laz_open and others in Rust.
 holds() { nm -C "$1" 2>/dev/null | grep -E '^[0-9a-f]+ [TtWw] (pointrt::openLas\(|scan_(laz|e57)_)' >/dev/null; }
 
 holds "$1" || {

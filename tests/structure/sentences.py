@@ -31,7 +31,7 @@ ESCAPES = {r"\n": " ", r"\"": '"', r"\\": "\\", r"\r": "", r"\t": " "}
 TOOLS = {"format/info": "pointrt-info", "format": "format", "preprocess": "pointrt-bake", "runtime/rays": "pointrt-rays",
          "runtime/cast": "pointrt-rays", "runtime/studies": "pointrt-rays", "runtime": "pointrt-view"}
 LONGEST = 200
-# Words that a sentence may not use, and what to write in their place.
+# Words that a sentence may not contain, with their replacements.
 BETTER = {"(?<!there )is no": "is not a", "is none of": "is not one of", "goes alone": "cannot be combined with",
           "lacks nothing": "has", "wants?": "needs", "asks?|asked": "requests, queries", "tells?|told": "reports",
           "sifts?|sifted": "culls", "settles?|settled": "resolves", "manieth": "n-th", "neighbors?": "neighbours"}

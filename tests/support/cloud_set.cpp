@@ -60,7 +60,7 @@ void writeOriginals(const CloudSet& made, const Splats& splats, const std::vecto
 }
 
 void writeMerged(const CloudSet& made, const CloudSetOptions& options) {
-    const std::vector<TileKey>& tiles = made.tree.tiles(); // parents first
+    const std::vector<TileKey>& tiles = made.tree.tiles(); // parents come first
     for (auto tile = tiles.rbegin(); tile != tiles.rend(); ++tile)
         if (!made.tree.isOriginal(*tile))
             mergeTile(made.folders.splats, *tile, made.tree.childrenOf(*tile), edgeOf(made.set, tile->level),

@@ -95,7 +95,7 @@ struct EmbreeDiscs::State {
         const RTCError error = rtcGetDeviceError(device);
         if (error != RTC_ERROR_NONE) throw Error(ExitCode::kCannotRun, "Embree error " + std::to_string(error));
     }
-    /// Adds those of the splats that are balls, or those that are not, as a geometry of Embree's own.
+    /// Adds the balls or the discs among the splats as one Embree geometry.
     void add(std::span<const CubeSplat> all, bool balls) {
         std::vector<std::uint32_t> added;
         for (std::uint32_t i = 0; i < all.size(); ++i)

@@ -40,7 +40,7 @@ Meeting meet(const CubeSplat& splat, const NearRounding& rounding, const Ray& ra
     return m;
 }
 
-/// A tracer's hit, and its check in double.
+/// A hit reported by a tracer, with its check in double.
 struct Claim {
     const CubeSplat* splat = nullptr; ///< nullptr: no hit
     Meeting meeting;
@@ -93,7 +93,8 @@ Verdict judge(std::span<const CubeSplat> splats, const NearRounding& rounding, c
 bool mayBeFirst(std::span<const CubeSplat> splats, const NearRounding& rounding, const Ray& ray,
                 std::optional<double> t) {
     constexpr double kInfinity = std::numeric_limits<double>::infinity();
-    double soonest = kInfinity, surely_before = kInfinity; // the soonest that a disc hit at t may have seemed to be
+    // the smallest distance at which a disc hit at t may have been computed
+    double soonest = kInfinity, surely_before = kInfinity;
     for (const CubeSplat& splat : splats) {
         const Meeting m = meet(splat, rounding, ray);
         if (m.surelyHit()) surely_before = std::min(surely_before, m.at.t + m.along);

@@ -34,9 +34,9 @@ constexpr double kNearLargest = 8, kNearLargeRim = 3.0 / 64;
 /// Bound of the error of the intersection of a ray with a plane, times the slope, in cube units: four roundings
 /// (difference, product, sum, quotient) of half a unit in the last place, 2^-24, of distances between 1 and 2.
 constexpr double kFloatError = 0x1p-22;
-/// Hits this near, in local radii, count as equal whichever splat is reported: in even scenes, with cells of 1.7 radii
-/// and reaches of 4.3, quantization moves a disc by up to kNearNormal + 2 * 4.3 kNearHeight radii, 0.015, along its
-/// normal, so the order of two such discs is undefined.
+/// Hits within this distance, in local radii, count as equal whichever splat is reported. In even scenes, with cells of
+/// 1.7 radii and reaches of 4.3, quantization moves a disc along its normal by up to kNearNormal + 2 * 4.3 kNearHeight
+/// radii, 0.015, so the order of two such discs is undefined.
 constexpr double kSameHitRadii = 0.015;
 
 /// Parameters of a scene that quantization depends on, in cube units.
@@ -53,7 +53,7 @@ enum class Verdict {
     kAgree,        ///< the same splat, the same distance, or no hit in both
     kRim,          ///< the disputed hit is within the rounding error of its disc's rim
     kTie,          ///< the distance of both hits is within the rounding error of their planes
-    kRounding,     ///< likewise, beyond those bounds: the ray grazes the disc
+    kRounding,     ///< the same, beyond those bounds: the ray grazes the disc
     kWeMiss,       ///< unexplained: a clear hit that only Embree reports, or a false hit of ours
     kEmbreeMisses, ///< unexplained: the reverse
 };
@@ -63,8 +63,8 @@ constexpr std::size_t kVerdicts = 6;
 Verdict judge(std::span<const CubeSplat> splats, const NearRounding& rounding, const Ray& ray, const CastHit& ours,
               const EmbreeHit& embrees);
 
-/// Whether the closest hit may be at t, exactly that of some disc, or with nullopt a miss, within rounding errors.
-/// Tests every disc in double, without a hierarchy or another tracer.
+/// Whether the closest hit may be at t (nullopt: a miss) within rounding errors, where t must be the exact distance of
+/// some disc. Tests every disc in double, without a hierarchy or another tracer.
 bool mayBeFirst(std::span<const CubeSplat> splats, const NearRounding& rounding, const Ray& ray,
                 std::optional<double> t);
 

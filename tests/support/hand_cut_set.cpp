@@ -40,7 +40,7 @@ pro_info frameOf(const TileCube& cube, float radius_max, const Splats& splats) {
 struct Coded {
     std::uint64_t morton = 0;
     std::uint32_t splat = 0;
-    Vec3f center; ///< cube units, the middle of its step
+    Vec3f center; ///< cube units, in the middle of the position step
 };
 
 Coded codeOf(const pro_info& frame, const Splats& splats, std::uint32_t splat) {

@@ -28,7 +28,7 @@ inline std::string lasRecord(const std::string& user, std::uint16_t id, const st
     return bytes + data;
 }
 
-/// An entry of the extra bytes record. options: for type 0 the number of bytes; else 8: scale, 16: offset
+/// An entry of the extra bytes record. options: for type 0 the number of bytes; otherwise flags, 8: scale, 16: offset
 inline std::string extraBytes(std::uint8_t type, const std::string& name, std::uint8_t options = 0, double scale = 0,
                               double offset = 0) {
     std::string bytes(192, '\0');

@@ -6,7 +6,7 @@
 
 namespace pointrt::test {
 
-/// Of at least one value.
+/// The mean; values must not be empty.
 inline double meanOf(const std::vector<double>& values) {
     return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
 }

@@ -68,7 +68,7 @@ struct RayCaster::State {
     std::vector<Ray> view_rays; ///< of the camera, in the order of its lanes
     gpu::FrameParams view_params{};
 
-    /// Buffers that no program used here writes have minimal size.
+    /// Buffers that none of the programs used here writes have the minimum size.
     void createBuffers() {
         const auto storage = [&](const char* what, std::uint64_t bytes, VkBufferUsageFlags more = 0) {
             return createBuffer(device, what, bytes, VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | more);
@@ -103,7 +103,7 @@ struct RayCaster::State {
         listInOrder();
     }
 
-    /// Rows of a band one tile wide with room for a batch.
+    /// Number of rows, one tile wide, that hold a batch.
     std::uint32_t bandRows() const { return (batch_rays + TILE_SIDE - 1) / TILE_SIDE; }
     std::uint64_t lanes() const { return lanesOf(TILE_SIDE, bandRows()); }
 
@@ -295,7 +295,7 @@ struct RayCaster::State {
         return hits;
     }
 
-    /// Of rays on the device.
+    /// Reads hits of the rays on the device.
     void readFlat(std::span<CastHit> out) {
         run(resolve, loaded);
         std::vector<gpu::vec4> flat(out.size());

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What errors, notes and findings say: their place, key and numbers, and a word where faults must be told apart. Their
-// sentences are in tests/structure/sentences alone.
+// What errors, notes and findings say: their place, key and numbers, and a word if faults must be distinguished. The
+// sentences themselves are only in tests/structure/sentences.
 #pragma once
 
 #include <gtest/gtest.h>

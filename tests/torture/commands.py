@@ -16,14 +16,14 @@ def nothing(torture):
 @dataclasses.dataclass
 class Case:
     command: list
-    prepare: typing.Callable = nothing  # makes the files before the run
-    reports: tuple = ()   # JSON files with times, which differ: they must be complete
+    prepare: typing.Callable = nothing  # creates the files before the run
+    reports: tuple = ()   # JSON files with times, which differ between runs: they must be complete
     whole: tuple = ()     # folders that must be complete or missing
-    stays: tuple = ()     # what a failed run may leave, to be resumed
+    stays: tuple = ()     # what a failed run may leave behind, to be resumed
     optional: tuple = ()  # files that no run fails for, such as caches
     is_window: bool = False  # reports failures and continues; never uses a file name twice
     environment: dict = dataclasses.field(default_factory=dict)
-    most: int = 20        # runs of a group without --all
+    most: int = 20        # number of runs of a group without --all
 
 
 def case_of(name):
@@ -132,8 +132,7 @@ def case_bake_set_steps():
                 prepare=lambda torture: hills(torture, 2500))  # enough for two blocks
 
 
-# Pictures.
-# Normals in place of light: what is written is as much, and a third of the time goes into building programs.
+# Pictures. Normals replace light: the output has the same size, and a third of the time is spent building programs.
 VIEW = "pointrt-view -q in/ball.pro --integrator normal --size 32x32 --spp 1 "
 RESUME = "pointrt-view -q in/ball.pro --size 32x32 --integrator path --resume -o out/a.exr "
 

@@ -1,14 +1,14 @@
 /* SPDX-License-Identifier: Apache-2.0
- * Runs a command and lets the N-th of its system calls that write below a folder go wrong.
+ * Runs a command and makes the N-th of its system calls that write below a folder fail.
  *     nth_call FOLDER LOG HOW N COMMAND...
- * The kernel asks here before each such call (seccomp), whichever thread, process or library of the command makes it:
- * preloaded functions would miss what the C library writes for stdio. LOG gets a line "NAME PATH" for each. HOW is
- *     kill    the process is killed before the call. Killed after it is killed before the next one.
+ * The kernel notifies this program of each such call (seccomp), from any thread, process or library of the command:
+ * preloaded functions would miss the C library's writes for stdio. LOG gets a line "NAME PATH" for each. HOW is
+ *     kill    the process is killed before the call (being killed after it is being killed before the next one)
  *     tear    half of the bytes are written, then the process is killed
- *     short   one byte is written, and the call says so
- *     halve   this call and all behind it write half of what they are asked to
- *     EIO, ENOSPC, EACCES       the call fails; a + behind it: all behind it that can fail so do, too
- * Where NTH_CALL_NAMED is set the file system has no nameless files. The exit status is the command's, or 125 where the
+ *     short   one byte is written, and the call returns that
+ *     halve   this call and all later ones write half of the requested bytes
+ *     EIO, ENOSPC, EACCES       the call fails; with a + appended, all later calls that can fail like that do, too
+ * If NTH_CALL_NAMED is set, the file system has no unnamed files. The exit status is the command's, or 125 if the
  * kernel cannot do this. */
 #define _GNU_SOURCE
 #include <errno.h>
@@ -87,7 +87,7 @@ static const struct Call calls[] = {
 #ifdef SYS_renameat
     {SYS_renameat, "rename", NAME, 3, 2, FULL | DENIED},
 #endif
-#ifdef SYS_open /* where the kernel has what came before the calls with folders */
+#ifdef SYS_open /* on architectures with the older calls that take no folder */
     {SYS_open, "open", OPEN, 0, -1, FULL | DENIED},
     {SYS_creat, "creat", NAME, 0, -1, FULL | DENIED},
     {SYS_link, "link", NAME, 1, -1, FULL | DENIED},
@@ -102,7 +102,7 @@ static const struct Call calls[] = {
 };
 enum { CALLS = sizeof calls / sizeof *calls };
 
-/* What is to be done, and how far it is. */
+/* The faults to cause, and the progress. */
 static struct {
     const char* folder;
     FILE* log;
@@ -142,7 +142,7 @@ static void becomeCommand(int channel, char** command) {
     _exit(127);
 }
 
-/* This side. */
+/* This process's side. */
 
 static int receiveDescriptor(int channel) {
     int descriptor = -1;
@@ -155,7 +155,7 @@ static int receiveDescriptor(int channel) {
     return descriptor;
 }
 
-/* Bytes of the caller's memory, as many of them as there are. */
+/* Reads the caller's memory, possibly fewer bytes. */
 static ssize_t readMemory(unsigned caller, uint64_t address, void* to, size_t bytes) {
     char path[64];
     snprintf(path, sizeof path, "/proc/%u/mem", caller);
@@ -166,7 +166,7 @@ static ssize_t readMemory(unsigned caller, uint64_t address, void* to, size_t by
     return got;
 }
 
-/* Where a link of /proc leads to; "" where it is none. */
+/* The target of a link in /proc; "" if it is not a link. */
 static void readLink(unsigned caller, const char* what, char path[PATH_MAX]) {
     char link[96];
     snprintf(link, sizeof link, "/proc/%u/%s", caller, what);
@@ -180,7 +180,7 @@ static void descriptorPath(unsigned caller, int descriptor, char path[PATH_MAX])
     readLink(caller, what, path);
 }
 
-/* The path of a call, from / on. */
+/* The absolute path of a call. */
 static void findPath(const struct seccomp_notif* notice, const struct Call* call, char path[PATH_MAX]) {
     char name[PATH_MAX] = "";
     path[0] = 0;
@@ -205,7 +205,7 @@ static uint64_t openFlags(const struct seccomp_notif* notice, const struct Call*
     return how.flags;
 }
 
-/* Of a file or a folder: pipes and devices are nobody's output file. */
+/* Whether the descriptor is a file or a folder: pipes and devices are not output files. */
 static bool isOnDisk(unsigned caller, int descriptor, bool* is_folder) {
     char path[64];
     struct stat status;
@@ -215,7 +215,7 @@ static bool isOnDisk(unsigned caller, int descriptor, bool* is_folder) {
     return *is_folder || S_ISREG(status.st_mode);
 }
 
-/* What the call is named in the log, and path; null where it writes nothing below the folder. */
+/* The name of the call in the log, and its path; null if it writes nothing below the folder. */
 static const char* findTarget(const struct seccomp_notif* notice, const struct Call* call, char path[PATH_MAX]) {
     const char* name = call->name;
     bool is_folder = false;
@@ -237,7 +237,7 @@ static const char* findTarget(const struct seccomp_notif* notice, const struct C
     return strncmp(path, plan.folder, length) == 0 && (path[length] == '/' || !path[length]) ? name : NULL;
 }
 
-/* A descriptor of the caller's as one of this process's: the same open file, with the same place in it. */
+/* Duplicates a descriptor of the caller into this process: the same open file, with the same position. */
 static int borrowDescriptor(unsigned caller, int descriptor) {
     char path[64], line[256];
     int process = -1, borrowed = -1;
@@ -252,8 +252,8 @@ static int borrowDescriptor(unsigned caller, int descriptor) {
     return borrowed;
 }
 
-/* Writes a part of what the call would write: one byte, or half. How much that was; 0 where it is no such call, or
- * asks for no more than that. */
+/* Writes a part of what the call would write: one byte, or half. Returns the number of bytes; 0 if the call does not
+ * write, or would not write more than that. */
 static int64_t writePart(const struct seccomp_notif* notice, const struct Call* call, bool one_byte) {
     if (call->kind != DATA && call->kind != VECTOR) return 0;
     struct iovec vector = {(void*)(uintptr_t)notice->data.args[1], notice->data.args[2]};
@@ -276,7 +276,7 @@ static int64_t writePart(const struct seccomp_notif* notice, const struct Call* 
     return written;
 }
 
-/* What becomes of a call; true where the caller is no more. */
+/* Decides on a call; true if the caller has been killed. */
 static bool decide(const struct seccomp_notif* notice, const struct Call* call, struct seccomp_notif_resp* answer) {
     char path[PATH_MAX];
     answer->flags = SECCOMP_USER_NOTIF_FLAG_CONTINUE;
@@ -306,7 +306,7 @@ static bool decide(const struct seccomp_notif* notice, const struct Call* call, 
 static void serve(int listener) {
     union {
         struct seccomp_notif notice;
-        char room[1024]; /* kernels to come may tell more */
+        char room[1024]; /* future kernels may return more */
     } asked;
     union {
         struct seccomp_notif_resp answer;
@@ -364,7 +364,7 @@ int main(int count, char** arguments) {
     while (poll(&asked, 1, -1) >= 0 || errno == EINTR) {
         if (asked.revents & POLLIN)
             serve(listener);
-        else if (asked.revents) /* nobody is left to ask */
+        else if (asked.revents) /* no process is left */
             break;
     }
     int status;

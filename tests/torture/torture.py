@@ -71,7 +71,8 @@ TABLE_HEAD = """| command | fault | calls | runs | succeeded | left over | wrong
 """
 UNDISTURBED = ("kill", 0)
 SHORT = ("short", "halve")
-SHORT_SHARE = 4  # one short fault for so many of the other groups: these runs are the longest, as they complete
+# one short fault per this many faults of the other groups: these runs are the longest, because they complete
+SHORT_SHARE = 4
 
 
 @dataclasses.dataclass(frozen=True)
@@ -250,7 +251,7 @@ class Torture:
             complaints.append(f"exit status {ended.code}")
         if not re.fullmatch(f"({ERROR})+" if self.case.is_window else ERROR, ended.stderr):
             complaints.append(f"stderr is {ended.stderr!r}")
-        if fault.name not in TAKES_AWAY and fault.how != "EACCES+":  # otherwise it could not delete its files
+        if fault.name not in TAKES_AWAY and fault.how != "EACCES+":  # otherwise the tool could not delete its files
             complaints += [f"left: {name}" for name in self.left(tree)
                            if not self.is_optional(name) and not name.startswith(self.case.stays)]
         return complaints
@@ -265,7 +266,7 @@ class Torture:
         name, path = calls[fault.at - 1] if fault.at <= len(calls) else ("", "")
         fails = GROUPS["failed"].get(fault.how)
         if fails and not fault.how.endswith("+") and not fails(name):
-            name, path = "", ""  # nth_call did not let this call fail
+            name, path = "", ""  # nth_call did not make this call fail
         return dataclasses.replace(fault, name=name, path=path)
 
     def next_run(self, tree):

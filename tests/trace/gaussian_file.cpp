@@ -15,7 +15,7 @@ namespace pointrt::test {
 
 namespace {
 
-/// Rows of floats as an attribute. rowOf: appends those of a Gaussian
+/// Converts rows of floats to an attribute. rowOf: appends the values of one Gaussian
 template <typename RowOf>
 void addColumn(Cloud& cloud, const std::string& name, std::uint32_t components,
                const std::vector<OracleGaussian>& gaussians, const RowOf& rowOf) {

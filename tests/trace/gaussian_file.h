@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Gaussians as a .pro, and what brute force in double precision says of rays through them.
+// Gaussians as a .pro, and the results of brute force in double precision for rays through them.
 #pragma once
 
 #include <string>
@@ -25,13 +25,13 @@ struct GaussianFile {
 /// A ball: standard deviation `sigma` in all directions.
 OracleGaussian roundGaussian(const Double3& mean, double sigma, double opacity, const Double3& color);
 
-/// What a ray of unit direction meets before t_max.
+/// What a ray with a unit direction hits before t_max.
 OracleComposite compositeAlong(const OracleScene& scene, Vec3 origin, Vec3 direction,
                                double t_max = std::numeric_limits<double>::infinity());
 
-/// The linear light of a composite in front of a black background that nothing else hides.
+/// The linear light of a composite in front of a black background, without anything else in between.
 Color lightOf(const OracleComposite& composite);
-/// The same in front of a surface, whose own light is added with the transmittance.
+/// The same in front of a surface, whose own light is multiplied by the transmittance and added.
 Color lightBefore(const OracleComposite& composite);
 
 } // namespace pointrt::test

@@ -11,7 +11,7 @@ namespace pointrt::test {
 
 inline constexpr std::uint32_t kGaussianPixels = 48;
 
-/// Pictures of Gaussians alone, on black.
+/// Settings for pictures of Gaussians alone, on black.
 inline RenderSettings lookingFrom(Vec3 eye, Vec3 target, std::uint32_t size = kGaussianPixels) {
     RenderSettings settings = square(size);
     settings.camera.eye = eye;

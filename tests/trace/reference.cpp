@@ -99,7 +99,7 @@ std::optional<ReferenceHit> firstSurface(const Reference& scene, Vec3 origin, Ve
     const ReferenceSplat& first = scene.splats[hit->splat];
     Vec3 side = hit->normal;
     double front = dot(side, first.normal) < 0 ? -1 : 1;
-    // a back covered by fronts belongs to their rim
+    // a back that fronts cover belongs to their rim
     const Vec3 fronts = scene.oriented && front < 0 ? frontsAt(scene, hit->position, direction) : Vec3{};
     if (dot(fronts, fronts) > 0) side = normalize(fronts), front = 1;
     const double t_first = hit->t;

@@ -18,10 +18,10 @@ namespace pointrt::test {
 
 struct Rendered {
     Film film;
-    KernelForm form = KernelForm::kWavefront; ///< that its passes had
+    KernelForm form = KernelForm::kWavefront; ///< form of the kernels that rendered it
     RayCounts rays;
     Camera camera;
-    gpu::FrameParams params{}; ///< what the shaders saw
+    gpu::FrameParams params{}; ///< the parameters that the shaders read
     pro_info info{};           ///< of the first instance
     double cell_edge = 0;      ///< of its bricks, cube units
     SceneDescription scene;    ///< with its default surroundings
@@ -34,7 +34,7 @@ RenderSettings square(std::uint32_t size);
 /// as windows do; 0: as for frames.
 Rendered renderScene(SceneDescription scene, RenderSettings settings, FormRequest form = {},
                      std::uint32_t strip_rows = 0);
-/// The same of a .pro alone.
+/// The same for a .pro alone.
 Rendered renderFile(const std::string& path, RenderSettings settings);
 
 /// A unit sphere of splats around the origin, normals outwards, as a .pro for as long as this lives.
@@ -48,7 +48,7 @@ struct SphereFile {
 
 /// The splats of a file, all of one material, in darkness.
 SceneDescription splatBody(const std::string& path, const MaterialDescription& material);
-/// The same of the analytic unit sphere around the origin.
+/// The same for the analytic unit sphere around the origin.
 SceneDescription analyticSphere(const MaterialDescription& material);
 /// The same radiance from all directions; phong and whitted take that share of it as ambient light.
 SkyDescription evenSky(float radiance, float ambient = 0);
@@ -58,7 +58,8 @@ SkyDescription evenSky(float radiance, float ambient = 0);
 std::string writeSky(const std::string& name, std::uint32_t height, const std::function<Color(Vec3)>& radiance);
 /// Radiance (1 + direction) / 2 from each direction.
 Color directionColor(Vec3 direction);
-/// The direction whose directionColor is in pixel i, not normalized: of unit length only if all samples have the same.
+/// The direction whose directionColor is in pixel i, not normalized: its length is 1 only if all samples have the same
+/// direction.
 Vec3 colorDirection(const Film& film, std::size_t i);
 
 /// Distance of a ray's first hit with the unit sphere around the origin. direction: of unit length

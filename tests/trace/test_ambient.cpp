@@ -33,8 +33,8 @@ double meanOf(const Film& film) {
 
 /// From the middle of a sphere every surface faces the eye, at distance 1. With a field of view of 90 degrees the
 /// picture is 2 high there, so rays reach up to a quarter of that, 0.5, evenly spread. The far side lies 2 cos away:
-/// rays end before it with the probability min(1, 4 cos), of which the mean over cosine-weighted directions is 8/3 / 64
-/// + 1 - 1/16 = 0.97917.
+/// the probability that a ray ends before it is min(1, 4 cos), whose mean over cosine-weighted directions is 8/3 / 64 +
+/// 1 - 1/16 = 0.97917.
 TEST(Ambient, LeavesTheLightOfASphereThatRaysDoNotCross) {
     RenderSettings settings = ambient(32, 64);
     settings.camera.eye = Vec3{0, 0, 0};

@@ -53,7 +53,7 @@ Splats ballsAmongDiscs(std::size_t count, unsigned seed) {
     return splats;
 }
 
-/// Distance to a splat: of a ball, to where the ray enters it, or leaves it if its origin is inside.
+/// Distance to a splat: for a ball, to the point where the ray enters it, or leaves it if its origin is inside.
 /// @param scale multiplies the radius
 double distanceAlong(const CubeSplat& splat, const Ray& ray, double scale) {
     const double radius = scale * splat.radius;
@@ -220,7 +220,7 @@ TEST(Balls, HaveTheNormalsOfSpheres) {
     EXPECT_GT(hit, kBallRays / 4);
 }
 
-/// Discs blend with each other as if the balls among them were not there.
+/// Discs blend with each other as if there were no balls among them.
 TEST(Balls, DoNotBlend) {
     const Splats sphere = sphereSplats(5000, Vec3f(0, 0, 0), 1);
     Splats balls = sphereSplats(500, Vec3f(0, 0, 0), 0.9f, 0.2f); // hidden by the discs
@@ -236,7 +236,7 @@ TEST(Balls, DoNotBlend) {
     EXPECT_LT(different, kBallRays / 500); // where rounding decides which disc is first
 }
 
-/// A ray that leaves a surface as shaders/trace/offset.glsl has it.
+/// A ray that leaves a surface as shaders/trace/offset.glsl computes it.
 Ray leaveBall(const Ray& ray, const CastHit& hit, const Vec3& direction) {
     Ray left;
     left.direction = direction;

@@ -43,10 +43,10 @@ View orthoView(Vec3 eye, Vec3 target, double height, std::size_t hits_least, std
 }
 
 struct Difference {
-    std::size_t hits = 0;          ///< one by one
+    std::size_t hits = 0;          ///< hits of rays cast one by one
     std::size_t hit_or_miss = 0;   ///< hits that a beam loses or adds
-    std::size_t other_hit = 0;     ///< another splat, and not as far either
-    std::size_t dropped_tiles = 0; ///< nothing is hit in tiles that have hits
+    std::size_t other_hit = 0;     ///< another splat at a different distance
+    std::size_t dropped_tiles = 0; ///< tiles with hits in which nothing is hit
 };
 
 Difference compare(RayCaster& caster, const CameraRequest& camera) {
@@ -73,8 +73,8 @@ Difference compare(RayCaster& caster, const CameraRequest& camera) {
     return result;
 }
 
-/// Rays for which the rounding of their start decides on a rim or on the order of two discs: up to two of 16384 were
-/// observed in each view.
+/// Number of rays for which the rounding of their start decides on a rim or on the order of two discs: up to two of
+/// 16384 were observed in each view.
 constexpr std::size_t kRoundedMost = 4;
 
 void expectSameHits(const Splats& splats, const std::vector<View>& views) {
@@ -94,7 +94,7 @@ void expectSameHits(const Splats& splats, const std::vector<View>& views) {
 }
 
 TEST(Beams, HitTheSameOnASphere) {
-    // the whole sphere is a disc with a radius of 45.4 pixels, 6475 pixels; from afar 42.2, 5588 pixels
+    // the whole sphere is a disc with a radius of 45.4 pixels, 6475 pixels in all; from afar 42.2 and 5588
     expectSameHits(sphereSplats(20000, Vec3f(1, 2, 3), 1.0f),
                    {view({1, 2, 7}, {1, 2, 3}, 40, 6430, 6530),      // the whole sphere
                     view({1, 60, 3}, {1, 2, 3}, 3, 5540, 5640),      // from afar

@@ -82,7 +82,7 @@ double sumOf(const std::vector<double>& values) {
     return sum;
 }
 
-// Caustics alone, on a floor so dark that it reflects next to nothing.
+// Caustics alone, on a floor so dark that its reflection is negligible.
 
 constexpr double kFloor = -1.6;
 constexpr float kDark = 0.02f;
@@ -167,7 +167,7 @@ TEST(Caustics, OfAMirrorRingOfSplats) {
 struct BrightScene {
     const char* name;
     SceneDescription scene;
-    bool gathers = true; ///< on the floor
+    bool gathers = true; ///< whether the floor gathers photons
 };
 
 SceneDescription brightScene(std::vector<MaterialDescription> materials, std::vector<ShapeDescription> shapes,
@@ -262,7 +262,7 @@ double lightUnder(SceneDescription scene, Integrator integrator, bool caustics =
     return pi * sumOf(regionMeans(film, film.rgba, 1, [](Vec3) { return true; })) / kDark;
 }
 
-/// Above a floor that reflects next to nothing.
+/// A scene above a floor with negligible reflection.
 SceneDescription under(const std::vector<MaterialDescription>& materials, const std::vector<ShapeDescription>& shapes,
                        const LightDescription& light) {
     SceneDescription scene = brightScene(materials, shapes, light);
@@ -286,7 +286,7 @@ TEST(Caustics, OfPanesUnderASun) {
     const double one = 1 - kPaneReflects, two = one * one / (1 - kPaneReflects * kPaneReflects);
     for (const Integrator integrator : {Integrator::kPhong, Integrator::kWhitted, Integrator::kPath}) {
         EXPECT_NEAR(lightUnder(under({thinGlass()}, {paneAt(0)}, sun), integrator) / one, 1, 0.02);
-        // one behind the other: light hits the upper one first, whichever pane photons are aimed at
+        // one behind the other: light hits the upper one first, whichever of them photons are aimed at
         EXPECT_NEAR(lightUnder(under({thinGlass()}, {paneAt(0), paneAt(0.5)}, sun), integrator) / two, 1, 0.02);
         EXPECT_LT(lightUnder(under({thinGlass()}, {paneAt(0)}, sun), integrator, false), 0.002);
     }
@@ -303,8 +303,8 @@ TEST(Caustics, OfAPaneUnderAPoint) {
     }
 }
 
-/// Irradiance of each pixel under a pane and a point light, relative to the exact value. It hardly varies over the
-/// floor.
+/// Irradiance of each pixel under a pane and a point light, relative to the exact value. The values hardly vary over
+/// the floor.
 std::vector<double> lightUnderAPane(std::uint32_t spp) {
     constexpr double kHeight = 40;
     SceneDescription scene =

@@ -25,8 +25,8 @@ const FormRequest kBothForms[] = {{KernelForm::kWavefront}, {KernelForm::kMegake
 /// Keeps what is below this height along z.
 ClipDescription below(double z) { return {ClipPlane{{0, 0, z}, {0, 0, -1}}}; }
 
-/// To the unit sphere around the origin without its cap above z = cut, or infinity. Nullopt too near the cut or the
-/// silhouette, where the discs are not the sphere.
+/// Distance to the unit sphere around the origin without its cap above z = cut; infinity for a miss. nullopt near the
+/// cut or the silhouette, where the discs deviate from the sphere.
 std::optional<double> depthOfCutSphere(Vec3 origin, Vec3 direction, double cut) {
     constexpr double kDiscs = 0.04; // a few radii
     const double middle = -dot(origin, direction), half_squared = middle * middle - dot(origin, origin) + 1;
@@ -68,7 +68,7 @@ TEST(Clips, DepthIsThatOfTheWallBehindTheCut) {
     }
 }
 
-/// The lower half of the sphere: what the clip keeps, as a scan of its own.
+/// The lower half of the sphere, which the clip keeps, as a separate scan.
 struct HalfSphereFile {
     std::string path = temporaryPath("half_sphere.pro");
     HalfSphereFile() {
@@ -89,7 +89,7 @@ struct HalfSphereFile {
     HalfSphereFile& operator=(const HalfSphereFile&) = delete;
 };
 
-/// A bowl with a mirror ball in it, under a lamp, with a wall that the lamp shines on past the bowl.
+/// A bowl with a mirror ball in it, under a lamp that also shines past the bowl onto a wall.
 SceneDescription bowlScene(const std::string& path) {
     SceneDescription scene;
     scene.materials.resize(2);
@@ -156,7 +156,7 @@ TEST(Clips, DisabledOnesCutNothing) {
     EXPECT_EQ(whole.film.depth, same.film.depth);
 }
 
-/// Light behind a plane through the middle, seen from before it.
+/// PSNR of light behind a plane through the middle, seen from in front of it.
 double psnrOfCutGaussians(const SceneDescription& scene, const OracleScene& oracle, const FormRequest& form) {
     const RenderSettings settings = lookingFrom({0.3, 0.2, 4}, {0, 0, 0});
     const Rendered rendered = renderScene(scene, settings, form);

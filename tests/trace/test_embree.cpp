@@ -65,8 +65,8 @@ void expectEmbreesHits(double agreement, const Splats& splats, const BuildOption
     EXPECT_GT(result.agreement(), agreement);
 }
 
-// Where discs overlap nearly in one plane, a grazing ray of slope 0.1 meets the next one 0.1 radii further for each
-// hundredth that rounding moves it: a fifth of those rays meet another disc first.
+// Where discs overlap nearly in one plane, a grazing ray of slope 0.1 meets the next one 0.1 radii further away for
+// each hundredth that rounding moves it: a fifth of those rays hits another disc first.
 TEST(Embree, AgreesOnASphere) { expectEmbreesHits(0.87, sphereSplats(20000, Vec3f(10, -20, 5), 2.0f)); }
 
 TEST(Embree, AgreesOnSheetsALeafApart) {
@@ -179,7 +179,7 @@ Verdict orderAt(double gap, double slope) {
 }
 
 TEST(Embree, OrderMayChangeWithinRounding) {
-    EXPECT_EQ(orderAt(0.014, 1), Verdict::kAgree); // the same hit
+    EXPECT_EQ(orderAt(0.014, 1), Verdict::kAgree); // counts as the same hit
     EXPECT_EQ(orderAt(0.03, 1), Verdict::kTie);    // twice 0.0156
     EXPECT_EQ(orderAt(0.035, 1), Verdict::kWeMiss);
     EXPECT_EQ(orderAt(0.03, 0.2), Verdict::kRounding);
@@ -192,7 +192,7 @@ TEST(Embree, FirstHitsAreLimitedByRounding) {
     const auto may = [](const Ray& ray, std::optional<double> t) { return mayBeFirst(kDiscs, kRounded, ray, t); };
     EXPECT_TRUE(may(middle, 1.0));
     EXPECT_FALSE(may(middle, 1.1));   // behind a sure hit
-    EXPECT_FALSE(may(middle, 1.001)); // no disc's distance
+    EXPECT_FALSE(may(middle, 1.001)); // the distance of no disc
     EXPECT_FALSE(may(middle, std::nullopt));
     EXPECT_TRUE(may(rim, 1.0));
     EXPECT_TRUE(may(rim, 1.1));

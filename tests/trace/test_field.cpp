@@ -83,7 +83,7 @@ TEST(Field, IsTheDiscForDiffusedRays) {
         apart += std::abs(dot(direct[i].normal, splats[direct[i].splat].normal)) < 1 - 1e-6;
     }
     EXPECT_GT(hits, 900u);
-    EXPECT_GT(of_the_disc, hits * 9 / 10); // the others are backs covered by fronts, whose side they get
+    EXPECT_GT(of_the_disc, hits * 9 / 10); // the others are backs covered by fronts, which take the side of the fronts
     EXPECT_GT(apart, hits / 2);            // the blended normals of visible hits differ
 }
 

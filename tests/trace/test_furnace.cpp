@@ -48,8 +48,8 @@ std::vector<Body> whiteBodies() {
             pane};
 }
 
-/// One body of each kind of material: building programs takes most of the time here, and bodies that differ by
-/// roughness alone have the same program.
+/// One body for each kind of material: most of the time here is spent building programs, and bodies that differ only in
+/// roughness share a program.
 std::vector<Body> oneOfEachKind() {
     std::vector<Body> bodies;
     for (Body& body : whiteBodies()) {

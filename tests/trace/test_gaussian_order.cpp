@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Several captures in one scene: the Gaussians of all of them are composited in one order, whichever file they are in.
+// Several captures in one scene: Gaussians of all files are composited in one common order.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -16,7 +16,7 @@ namespace {
 
 constexpr KernelForm kForms[] = {KernelForm::kWavefront, KernelForm::kMegakernel};
 
-/// Every other Gaussian is in the other file: along a ray they alternate.
+/// Every other Gaussian is in the second file, so that both alternate along rays.
 struct TwoFiles {
     explicit TwoFiles(const std::vector<OracleGaussian>& all) : even(partOf(all, 0)), odd(partOf(all, 1)) {
         std::vector<OracleGaussian> both = even.scene.gaussians;
@@ -37,7 +37,7 @@ struct TwoFiles {
     }
 
     GaussianFile even, odd;
-    OracleScene scene; ///< of both
+    OracleScene scene; ///< the Gaussians of both files
 };
 
 class GaussianOrder : public testing::TestWithParam<std::string> {};
@@ -87,7 +87,7 @@ TEST(GaussianOrder, HoldsInMirrorsAndBeforeAndBehindSurfaces) {
     }
 }
 
-/// Degree 0, so that turning them is turning their axes.
+/// Degree 0, so that rotating the Gaussians only rotates their axes.
 std::vector<OracleGaussian> withoutHarmonics(std::vector<OracleGaussian> gaussians) {
     for (OracleGaussian& each : gaussians) each.harmonics.clear();
     return gaussians;
@@ -95,7 +95,7 @@ std::vector<OracleGaussian> withoutHarmonics(std::vector<OracleGaussian> gaussia
 
 TEST(GaussianOrder, HoldsOfPlacedCaptures) {
     const std::vector<OracleGaussian> all = withoutHarmonics(makeGaussians("random", 300));
-    // stored half as large, a quarter turn about z back, and 1 to the left of where the scene places them
+    // stored half as large, a quarter turn back about z, and 1 to the left of where the scene places them
     std::vector<OracleGaussian> stored = TwoFiles::partOf(all, 1);
     const double half = std::sqrt(0.5);
     for (OracleGaussian& each : stored) {
@@ -121,7 +121,7 @@ TEST(GaussianOrder, HoldsOfPlacedCaptures) {
         50); // of the input: the files round parameters
 }
 
-/// First hits of a picture that are not those of the truth, and all.
+/// Number of first hits of a picture that differ from the expected ones, and of all.
 struct FirstHitCounts {
     std::size_t hits = 0, elsewhere = 0, other_ids = 0;
 };
@@ -155,7 +155,7 @@ TEST(GaussianOrder, FirstHitsAreThoseOfAllCaptures) {
     EXPECT_LE(counts.other_ids, counts.hits / 100);
 }
 
-/// What passes of a lamp's light to the floor through a Gaussian in each of so many files.
+/// Share of a lamp's light that reaches the floor through a Gaussian in each of this many files.
 double floorLight(std::size_t fogs, Integrator integrator, KernelForm form) {
     const GaussianFile near({roundGaussian({0, 1, 0}, 0.2, 0.5, {1, 1, 1})});
     const GaussianFile far({roundGaussian({0, 1.8, 0}, 0.2, 0.5, {1, 1, 1})});
@@ -175,7 +175,7 @@ double floorLight(std::size_t fogs, Integrator integrator, KernelForm form) {
     return sum / 64;
 }
 
-// Queued shadow rays pass or not at random, the megakernel's stored ones are attenuated.
+// Queued shadow rays pass or not at random; those stored by the megakernel are attenuated.
 TEST(GaussianOrder, ShadowsOfCapturesMultiply) {
     for (const auto& [integrator, form] : {std::pair{Integrator::kPhong, KernelForm::kWavefront},
                                            std::pair{Integrator::kPath, KernelForm::kMegakernel}}) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A tile set of Gaussians is one capture: its pictures are those of brute force over all of them.
+// A tile set of Gaussians is one capture: its pictures equal those of brute force over all of them.
 #include <gtest/gtest.h>
 
 #include "format/base/error.h"
@@ -12,7 +12,7 @@
 namespace pointrt::test {
 namespace {
 
-/// Eye among the Gaussians or beside them: tiles follow one another in any order along rays.
+/// The eye is among the Gaussians or beside them; rays meet the tiles in any order.
 constexpr Vec3 kEyes[] = {{0.3, 0.2, 4}, {-2, 1.5, -1}, {0.05, 0.02, 0.1}};
 
 class GaussianSets : public testing::TestWithParam<std::string> {};

@@ -53,7 +53,7 @@ TEST_P(GaussianKinds, EqualBruteForce) {
 INSTANTIATE_TEST_SUITE_P(Each, GaussianKinds, testing::ValuesIn(gaussianKinds()),
                          [](const auto& kind) { return kind.param; });
 
-// Not only what their files hold: opacities near 1/255, and Gaussians of all sizes seen from among them.
+// Not only Gaussians that files hold: opacities near 1/255, and Gaussians of all sizes seen from among them.
 TEST(Gaussians, FilesShowWhatTheirInputHas) {
     const auto psnrFrom = [](Vec3 eye, const std::vector<OracleGaussian>& input) {
         const GaussianFile file(input);
@@ -64,7 +64,7 @@ TEST(Gaussians, FilesShowWhatTheirInputHas) {
     EXPECT_GT(psnrFrom({0, 0, 0.1}, makeGaussians("mixed", 12000)), 45);
 }
 
-// More than one run of lavapipe's loops can test: the next one goes on after the last Gaussian added.
+// More Gaussians than a loop of lavapipe's can test: the next loop continues after the last Gaussian added.
 TEST(Gaussians, RaysThroughThousandsGoOnInFurtherRuns) {
     const GaussianFile file(makeGaussians("inside", 8000));
     const RenderSettings settings = lookingFrom({0, 0, 0}, {0, 1, 0.2}, 8);
@@ -82,7 +82,7 @@ TEST(Gaussians, RaysThroughThousandsOfFaintLayersGoOnUntilNothingPasses) {
     EXPECT_GT(psnrOf(rendered, settings, file), 80);
 }
 
-// A sky of a thousand scenes would leave a thin Gaussian half of its deviation.
+// A sky that is a thousand times as large as the scene would leave a thin Gaussian half of its deviation.
 TEST(Gaussians, GiantsLeaveFloatsToTheOthers) {
     const GaussianFile file(makeGaussians("mixed", 4000));
     const RenderSettings settings = lookingFrom({0, 0, 0.1}, {0, 0, 0});
@@ -90,7 +90,7 @@ TEST(Gaussians, GiantsLeaveFloatsToTheOthers) {
     EXPECT_GT(psnrOf(rendered, settings, file), 70);
 }
 
-// Training leaves a few that have blown up, and some that have collapsed.
+// Training leaves some Gaussians that have blown up, and some that have collapsed.
 TEST(Gaussians, OfAnySizeAreKept) {
     for (const double sigma : {1e-30, 1e-19, 1e19, 1e30}) {
         const GaussianFile file(
@@ -103,7 +103,7 @@ TEST(Gaussians, OfAnySizeAreKept) {
                               }),
                   60)
             << sigma;
-        EXPECT_GT(pixel(rendered.film, 0, 0, 2), sigma > 1 ? 0.1 : -1); // behind the other one, everywhere
+        EXPECT_GT(pixel(rendered.film, 0, 0, 2), sigma > 1 ? 0.1 : -1); // in front of the other one everywhere
     }
 }
 
@@ -134,7 +134,7 @@ TEST(Gaussians, HideSurfacesAsFarAsTheyAreOpaque) {
     scene.materials.resize(1);
     scene.materials[0].color = {0, 0, 0};
     scene.materials[0].emission = {0.2f, 0.5f, 0.7f};
-    const double plane = 0.1; // among them
+    const double plane = 0.1; // the plane is among them
     scene.shapes = {screenAt(plane, 0)};
     const RenderSettings settings = lookingFrom({0, 0, 4}, {0, 0, 0});
     const Rendered rendered = renderScene(scene, settings);
@@ -172,7 +172,7 @@ TEST(Gaussians, ShadowsAreAsDarkAsTheyAreOpaque) {
     for (const KernelForm form : {KernelForm::kWavefront, KernelForm::kMegakernel}) {
         const double lit = floorLight(0, form);
         EXPECT_GT(lit, 0.01);
-        // shadow rays pass or not at random: 1 / 32 of a deviation of 0.5 is 0.016
+        // shadow rays pass or not at random: with a deviation of 0.5, 1 / 32 of it is 0.016
         EXPECT_NEAR(floorLight(0.6, form) / lit, 0.4, 0.06);
     }
 }
@@ -220,12 +220,12 @@ TEST(Gaussians, AlphaIsTheirOpacity) {
     }
 }
 
-/// What lies under a lamp, with something between them.
+/// What is lit by a lamp, with something in between.
 enum class Lit { kGaussian, kSurface };
 enum class Between { kNothing, kBall, kFog };
 enum class SeenBy { kDirectly, kInMirror, kThroughGlass };
 
-/// Puts a mirror before the camera, and turns that to it, or a pane of glass.
+/// Puts a mirror in front of the camera and turns the camera to it, or puts a pane of glass there.
 void lookThrough(SeenBy seen, SceneDescription& scene, RenderSettings& settings) {
     if (seen == SeenBy::kDirectly) return;
     const auto material = static_cast<std::uint32_t>(scene.materials.size());
@@ -247,7 +247,7 @@ double litLight(Lit lit, Between between, Integrator integrator, KernelForm form
                 bool caustics = false) {
     OracleGaussian flat = roundGaussian({0, 0, 0}, 0.1, 0.99, {0.8, 0.8, 0.8});
     flat.deviation[1] = 0.001;
-    // a fifth of a unit wide, 3 above the lamp if it shall hide nothing
+    // a fifth of a unit wide; 3 above the lamp if it must not hide anything
     const OracleGaussian fog = roundGaussian({0, between == Between::kFog ? 1.5 : 6, 0}, 0.2, 0.6, {1, 1, 1});
     const GaussianFile file(lit == Lit::kGaussian ? std::vector{flat, fog} : std::vector{fog});
     SceneDescription scene = sceneOf(file.path);
@@ -256,7 +256,7 @@ double litLight(Lit lit, Between between, Integrator integrator, KernelForm form
     scene.materials[0].color = {albedo, albedo, albedo};
     const double ball = between == Between::kBall ? 1.5 : 9;
     scene.shapes = {{ShapeKind::kSphere, {0, ball, 0}, {0.3, 0, 0}, {0, 0.3, 0}, {0, 0, 0.3}, 0}};
-    // through glass so small that no reflection shows it, as none shows the Gaussian
+    // through glass so small that no reflection shows it, just as none shows the Gaussian
     const double reach = seen == SeenBy::kThroughGlass ? 0.05 : 1;
     const ShapeKind kind = seen == SeenBy::kDirectly ? ShapeKind::kPlane : ShapeKind::kDisc;
     if (lit == Lit::kSurface) scene.shapes.push_back({kind, {0, 0, 0}, {reach, 0, 0}, {0, 0, -reach}, {0, 1, 0}, 0});
@@ -282,7 +282,7 @@ TEST(Gaussians, AreLitAsMatteSurfaces) {
             EXPECT_NEAR(truth, linearFromSrgb(0.8) * (10.0 / 9) / std::numbers::pi, 0.001);
             EXPECT_NEAR(litLight(Lit::kGaussian, Between::kNothing, integrator, form) / truth, 0.99, 0.01);
             EXPECT_LT(litLight(Lit::kGaussian, Between::kBall, integrator, form), 0.01);
-            // shadow rays pass or not at random, as of ShadowsAreAsDarkAsTheyAreOpaque
+            // shadow rays pass or not at random, as in ShadowsAreAsDarkAsTheyAreOpaque
             EXPECT_NEAR(litLight(Lit::kGaussian, Between::kFog, integrator, form) / truth, 0.4, 0.06);
         }
 }
@@ -300,7 +300,7 @@ TEST(Gaussians, AreLitInMirrorsAndThroughGlass) {
     }
 }
 
-// The photons' discs are chosen by the extent of the scan, which a single Gaussian does not have.
+// The size of photon discs depends on the extent of the scan, which a single Gaussian does not have.
 TEST(Gaussians, OneAloneLeavesCausticsAsTheyAre) {
     const auto light = [](bool caustics) {
         return litLight(Lit::kSurface, Between::kNothing, Integrator::kWhitted, KernelForm::kWavefront,
@@ -314,9 +314,9 @@ Color colorAt(const Rendered& rendered, std::uint32_t x, std::uint32_t y) {
     return {pixel(rendered.film, x, y, 0), pixel(rendered.film, x, y, 1), pixel(rendered.film, x, y, 2)};
 }
 
-/// What an integrator without lights shows 3 before the eye.
+/// What an integrator without lights shows at a distance of 3 from the eye.
 struct PropertyView {
-    Color flat, wall, nothing; ///< of a thin Gaussian in the middle, of a quad at the right edge, of neither
+    Color flat, wall, nothing; ///< of a thin Gaussian in the middle, a quad at the right edge, and the background
 };
 
 PropertyView propertyView(Integrator integrator, bool several, KernelForm form) {
@@ -333,7 +333,7 @@ PropertyView propertyView(Integrator integrator, bool several, KernelForm form) 
     scene.shapes = {{ShapeKind::kQuad, {6, 0, 1}, {5, 0, 0}, {0, 0.5, 0}, {0, 0, 1}, 0}};
     RenderSettings settings = lookingFrom({0, 0, 4}, {0, 0, 0});
     settings.integrator = integrator;
-    settings.background = Background{{128, 128, 128}}; // not shown, and not to be subtracted
+    settings.background = Background{{128, 128, 128}}; // must neither be shown nor subtracted
     const Rendered rendered = renderScene(scene, settings, {form});
     return {colorAt(rendered, kGaussianPixels / 2, kGaussianPixels / 2),
             colorAt(rendered, kGaussianPixels - 1, kGaussianPixels / 2), colorAt(rendered, 0, 0)};
@@ -344,7 +344,7 @@ TEST(Gaussians, ShowNormalAndDepthWhereHalfOfTheLightIsHidden) {
         for (const KernelForm form : {KernelForm::kWavefront, KernelForm::kMegakernel}) {
             const PropertyView normal = propertyView(Integrator::kNormal, several, form);
             const PropertyView depth = propertyView(Integrator::kDepth, several, form);
-            // the edge of the picture, 3 before the eye, is 3 tan(20 degrees) away from the middle
+            // the edge of the picture, 3 in front of the eye, is 3 tan(20 degrees) from the middle
             const double to_wall = std::hypot(3, 3 * std::tan(std::numbers::pi / 9) * (1 - 1.0 / kGaussianPixels));
             for (std::size_t c = 0; c < 3; ++c) {
                 EXPECT_NEAR(normal.flat[c], normal.wall[c], 0.01);

@@ -36,7 +36,8 @@ RenderSettings lookAtBall(Integrator integrator) {
     return settings;
 }
 
-/// Directions of light from the unit ball at the origin: reflected outside, or after no, one or two reflections inside.
+/// Directions of light from the unit ball at the origin: reflected outside, or transmitted after zero, one or two
+/// reflections inside.
 std::optional<std::array<Vec3, 4>> exactWays(Vec3 eye, Vec3 d) {
     const double along = -dot(eye, d), squared = along * along - dot(eye, eye) + 1;
     if (squared < 0) return std::nullopt;
@@ -54,7 +55,7 @@ std::optional<std::array<Vec3, 4>> exactWays(Vec3 eye, Vec3 d) {
 
 struct WayErrors {
     std::vector<double> errors; ///< degrees, of light that crossed the ball
-    std::size_t other = 0;      ///< pixels whose path was none of the exact ways
+    std::size_t other = 0;      ///< pixels whose path is none of the exact ones
     std::size_t pixels = 0;
 };
 
@@ -75,7 +76,7 @@ WayErrors wayErrors(SceneDescription scene, const std::string& sky) {
             const auto nearest = std::min_element(errors.begin(), errors.end());
             ++result.pixels;
             result.other += *nearest > 10;
-            // light that came another way is not compared
+            // light that took another path is not compared
             if (nearest == errors.begin() + 1 && *nearest <= 10) result.errors.push_back(*nearest);
         }
     return result;

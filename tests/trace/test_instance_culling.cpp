@@ -76,7 +76,7 @@ protected:
         job.samples = settings.spp;
         renderer.begin({settings, loaded->camera, tilingFor(device, settings.width, settings.height)}, job);
         renderer.run();
-        if (!culls) unused.swap(tracer.instances.cull_groups); // they are freed with the scene
+        if (!culls) unused.swap(tracer.instances.cull_groups); // they are freed together with the scene
         return renderer.takeFilm();
     }
 
@@ -93,7 +93,7 @@ protected:
         EXPECT_EQ(culled.splat_id, whole.splat_id);
     }
 
-    /// In every integrator that shows light, and both forms.
+    /// Checks all integrators that show light, and both kernel forms.
     void expectAlwaysTheSame(const SceneDescription& scene) {
         for (const KernelForm form : {KernelForm::kWavefront, KernelForm::kMegakernel})
             for (const Integrator integrator : {Integrator::kPhong, Integrator::kWhitted, Integrator::kPath}) {
@@ -152,8 +152,8 @@ TEST_F(InstanceCulling, TilesAreTracedForFewRays) {
     EXPECT_EQ(lanesOf("cull_shadow").first, all / 8);
 }
 
-/// Balls in one place, all of them in the way of every shadow ray, and many lamps: more entries than lists have room
-/// for.
+/// Balls in one place, so that every shadow ray must be tested against all of them, and many lamps: more entries than
+/// lists have room for.
 TEST_F(InstanceCulling, InstancesBeyondTheListsAreTracedForAllRays) {
     SceneDescription scene;
     for (int i = 0; i < 32; ++i) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Rays that are not finite meet nothing, end at once, and leave their neighbours alone. A division by zero in a shader
-// makes such rays, and a walk that they never leave hangs a GPU.
+// Rays that are not finite hit nothing, end at once, and do not affect other rays. A division by zero in a shader
+// produces such rays, and an endless traversal hangs a GPU.
 #include <gtest/gtest.h>
 
 #include <cmath>

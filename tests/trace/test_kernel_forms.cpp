@@ -53,7 +53,7 @@ SceneDescription allLights(const std::string& ball) {
 /// The difference of two films.
 struct Apart {
     double mean = 0;        ///< of the channels' differences, relative to the mean of the channels
-    std::size_t pixels = 0; ///< more than a thousandth off: rounding sent their paths elsewhere
+    std::size_t pixels = 0; ///< pixels that differ by more than a thousandth: rounding sent their paths elsewhere
 };
 
 Apart apart(const Film& a, const Film& b) {
@@ -80,7 +80,7 @@ void expectAgreement(const SceneDescription& scene, const RenderSettings& settin
     ASSERT_EQ(wavefront.form, KernelForm::kWavefront);
     ASSERT_EQ(megakernel.form, KernelForm::kMegakernel);
     const Apart rgba = apart(megakernel.film, wavefront.film);
-    // one path of four that goes elsewhere changes its pixel by a quarter
+    // if one of four paths goes elsewhere, its pixel changes by a quarter
     EXPECT_LE(rgba.pixels, kFormsSize * kFormsSize / 1000);
     EXPECT_LT(rgba.mean, rgba.pixels > 0 ? 1e-3 : 1e-6);
     EXPECT_EQ(megakernel.film.depth, wavefront.film.depth);
@@ -142,7 +142,7 @@ TEST_P(KernelForms, AgreeThroughPixelCentres) {
     expectAgreement(allMaterials(ball.path), settings);
 }
 
-/// Only shapes: without instances paths never leave registers, but lavapipe would end a loop over so many shapes,
+/// Only shapes: without instances paths never leave registers, but lavapipe would abort a loop over so many shapes,
 /// lights and bounces.
 TEST_P(KernelForms, AgreeOnLongPathsAmongManyShapes) {
     SceneDescription scene = allLights(ball.path);

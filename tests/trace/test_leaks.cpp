@@ -109,7 +109,7 @@ struct Leaving {
     double radius = 0;
 };
 
-/// Like offsetRayOrigin (shaders/trace/offset.glsl) and scatteredPath (shaders/shade/scattered_path.glsl).
+/// Computed as in offsetRayOrigin (shaders/trace/offset.glsl) and scatteredPath (shaders/shade/scattered_path.glsl).
 Leaving leave(const Ray& ray, const CastHit& hit, Kind kind, Random& random) {
     const bool back = hit.back;
     Leaving leaving;
@@ -159,7 +159,8 @@ public:
                 course.beyond = t;
                 break;
             }
-            t += std::max(std::abs(d), 0.25 * leaving.radius); // too short to get half a radius deep and out again
+            // too small a step to get half a radius deep and out again
+            t += std::max(std::abs(d), 0.25 * leaving.radius);
         }
         return course;
     }
@@ -169,9 +170,10 @@ private:
     const pro_info& info_;
 };
 
-/// Hits within this many radii may be on the patch that the ray left: 1.5 times the largest self-intersection distance.
+/// Hits within this many radii may be on the patch that the ray leaves: 1.5 times the largest self-intersection
+/// distance.
 constexpr double kPatch = 12;
-/// Radii along the ray by which a disc that sticks out may make a hit earlier or later.
+/// Distance along the ray, in radii, by which a protruding disc may move a hit.
 constexpr double kSlack = 4;
 /// Beyond every body here, in cube units.
 constexpr double kFar = 4;

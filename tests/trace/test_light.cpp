@@ -51,7 +51,7 @@ TEST(Light, MirrorShowsTheWallItFaces) {
     EXPECT_EQ(one_bounce.rays.primary, 64u * 64u);
     EXPECT_EQ(one_bounce.rays.secondary, 64u * 64u);
     EXPECT_EQ(no_bounce.rays.secondary, 0u);
-    // the wall's own answer: Lambert under the lights plus the ambient term, at the mirrored point
+    // the wall's own colour: Lambert under the lights plus the ambient term, at the mirrored point
     for (const auto [x, y] : {std::array{32u, 32u}, std::array{20u, 40u}, std::array{45u, 15u}}) {
         const Vec3 at = hitPosition(one_bounce, x, y), d = normalize(at - one_bounce.camera.eye);
         const Vec3 r{d.x, d.y, -d.z}; // mirrored in the plane z = 0
@@ -105,7 +105,7 @@ TEST(Light, ShadowsMatchBruteForce) {
         }
     std::printf("%zu pixels, %zu in shadow, %zu wrong\n", checked, dark, wrong);
     EXPECT_GT(dark, 150u);
-    EXPECT_LE(wrong, checked / 400); // the shadow's edge runs through pixels
+    EXPECT_LE(wrong, checked / 400); // the shadow's edge crosses pixels
     EXPECT_GT(rendered.rays.shadow, checked / 2);
 }
 
@@ -135,7 +135,7 @@ TEST(Light, NoAcneOnASphere) {
 }
 
 TEST(Light, MirrorRoomCountsEveryBounce) {
-    // no ray leaves a closed mirror room: each bounce traces all rays that the matte body has not stopped
+    // no ray leaves a closed mirror room: each bounce traces all rays that have not hit the matte body
     const std::string path = temporaryPath("room.pro");
     writeScene(path, sphereSplats(5000, Vec3f(0, 0, 0), 1.0f), {});
     RenderSettings settings = square(64);
@@ -388,7 +388,7 @@ TEST(Light, HollowIsNotShadowedUnderAGrazingLamp) {
     EXPECT_LT(worst, 0.05);
 }
 
-/// The number of pixels that shadows darken on a level sheet seen from above, whose splats are up to a radius off it.
+/// The number of pixels that shadows darken on a level sheet seen from above, whose splats deviate by up to a radius.
 std::size_t darkenedOnNoisySheet(const Vec3f& u, const Vec3f& v) {
     Splats sheet = squareSplats(100, Vec3f(0, 0, 0), u, v, 1.2f);
     for (std::size_t i = 0; i < sheet.positions.size(); ++i) // heights are evenly distributed, in no order
@@ -420,7 +420,7 @@ TEST(Light, NoisySheetDoesNotShadeItselfOnEitherSide) {
 }
 
 TEST(Light, CloudInOneLeafGivesTheSamePicture) {
-    // no octree at all: the root is the leaf, and its list is longer than any leaf of a real scene
+    // no octree at all: the root is the only leaf, and its list is longer than that of any leaf of a real scene
     const std::string path = temporaryPath("root.pro");
     BuildOptions options;
     options.octree.max_depth = 0;

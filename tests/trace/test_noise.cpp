@@ -21,8 +21,8 @@ constexpr std::size_t kSide = 120;
 constexpr float kSpacing = 2.0f / kSide,
                 kRadius = 1.5f * kSpacing; ///< about as estimated by the bake for evenly sampled clouds
 
-/// The square [-1, 1]^2 with normals along z, whose splats are displaced by Gaussian noise of sigma spacings. The file
-/// has the noise if stored.
+/// The square [-1, 1]^2 with normals along z, whose splats are displaced by Gaussian noise of sigma spacings. The noise
+/// is in the file if `stored`.
 Splats noisyPlane(float sigma, bool stored) {
     Splats splats = squareSplats(kSide, Vec3f(0, 0, 0), Vec3f(1, 0, 0), Vec3f(0, 1, 0), kRadius / kSpacing);
     std::mt19937 random(5);
@@ -54,7 +54,7 @@ Film litFromThere(Splats splats, Vec3 towards, Integrator integrator) {
 }
 
 struct Evenness {
-    double mean = 0, deviation = 0; ///< over what an even plane shows
+    double mean = 0, deviation = 0; ///< relative to an even plane
     double dark = 0;                ///< share of pixels below half of that
 };
 

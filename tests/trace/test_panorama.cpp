@@ -14,8 +14,7 @@ namespace pointrt::test {
 namespace {
 
 constexpr std::size_t kPanoramaSplats = 40000;
-/// Rays that miss the sphere by less than this, or meet it by less, are not compared: its silhouette consists of rims
-/// of discs.
+/// Rays that miss or hit the sphere by less than this are not compared: its silhouette consists of rims of discs.
 constexpr double kPanoramaRim = 2e-3;
 
 RenderSettings panoramaFrom(Vec3 eye, std::uint32_t width, double eyes_apart_m = 0) {
@@ -38,7 +37,7 @@ bool isNearRim(const PanoramaRay& ray) {
 
 struct PanoramaErrors {
     std::size_t hits = 0, wrong = 0, compared = 0;
-    double depth = 0, position = 0; ///< largest, where rays do not graze the sphere
+    double depth = 0, position = 0; ///< largest error where rays do not graze the sphere
 };
 
 PanoramaErrors compareWithPanorama(const Rendered& rendered) {
@@ -94,7 +93,8 @@ TEST(PanoramaPicture, SeesASphereFromOutside) {
     }
 }
 
-/// Eyes so far apart that they see quite different pictures, as of an ant; rows of both meet within a tile of pixels.
+/// Eyes so far apart, as if seen by an ant, that their pictures are quite different; rows of both share a tile of
+/// pixels.
 TEST(PanoramaPicture, SeesASphereWithTwoEyes) {
     const SphereFile sphere(kPanoramaSplats);
     const Rendered rendered = renderFile(sphere.path, panoramaFrom({2, 0.5, 1}, 300, 0.8));
@@ -106,7 +106,7 @@ TEST(PanoramaPicture, SeesASphereWithTwoEyes) {
     EXPECT_LT(errors.position, kPanoramaError);
 }
 
-/// The first and the last column are neighbours, as any other two: from within a sphere depths change slowly.
+/// The first and the last column are neighbours like any other two: from inside a sphere depths change slowly.
 TEST(PanoramaPicture, HasNoSeam) {
     const SphereFile sphere(kPanoramaSplats);
     RenderSettings settings = panoramaFrom({0.2, 0.1, -0.3}, 256);

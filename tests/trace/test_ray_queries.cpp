@@ -50,7 +50,8 @@ protected:
     std::vector<Ray> rays_;
 };
 
-// Cells round their copies of a splat. Of two splats as near as that, on grazing rays, either may be the closest.
+// Cells round their copies of a splat. If a grazing ray hits two splats within that rounding, either may be the
+// closest.
 constexpr double kTieShare = 2e-3;
 
 TEST_F(RayQueries, FindTheClosestHitsOfTheWalk) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Tiles that load slowly: a cut is shown when it is complete, no tile is loaded twice, and unused tiles are evicted.
+// Tiles that load slowly: a cut is displayed once it is complete, no tile is loaded twice, and unused tiles are
+// evicted.
 #include <gtest/gtest.h>
 
 #include <filesystem>
@@ -24,7 +25,7 @@ protected:
         request_.cameras = {{{-3, 0, 0}, {0, -1, 0}, {0, 0, 1}, {1, 0, 0}, 60, 0}};
         request_.size = {64, 64};
         request_.detail = 0;
-        updateTiles(device_, scene_, request_); // without memory
+        updateTiles(device_, scene_, request_); // without a memory limit
         request_.memory = std::uint64_t{1} << 30;
     }
     ~SetLoading() override {
@@ -33,7 +34,7 @@ protected:
         std::filesystem::remove_all(folder_);
     }
 
-    /// Loads for no time, which is one tile, and applies it. True if the cut changed.
+    /// Loads with a time limit of zero, which loads one tile, and applies it. True if the cut has changed.
     bool loadStep(bool& complete, std::size_t files) {
         TileLoadRequest load = makeTileLoadRequest(scene_, request_);
         chooseTiles(load);
@@ -77,7 +78,7 @@ TEST_F(SetLoading, TilesNoLongerNeeded_AreEvicted) {
     EXPECT_EQ(scene_.files.size(), 1u);
 }
 
-/// Eviction must not move the files that instances name by their slots.
+/// Eviction must not move files, because instances refer to them by slot.
 TEST_F(SetLoading, Eviction_LeavesInstancesTheirFiles) {
     scene_.tile_cache_bytes = std::uint64_t{1} << 30;
     updateTiles(device_, scene_, request_);

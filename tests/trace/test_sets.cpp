@@ -17,8 +17,8 @@ namespace {
 
 constexpr std::uint32_t kSetsSide = 320; // ten pictures have a million rays
 constexpr int kPictures = 10;
-/// Hits in one file and in its tiles may differ by this share of a radius: cells round their discs, and the tiles have
-/// other cells, which moves blended surfaces.
+/// Hits in one file and in its tiles may differ by this share of a radius: cells round their discs, and tiles have
+/// different cells, which moves blended surfaces.
 constexpr double kSameShare = 0.02;
 
 /// A set of eight tiles that meet at the origin, and a root, by default of the same splats.
@@ -133,7 +133,7 @@ TEST(TileSets, BallsAreNotCutAtBorders) {
     }
 }
 
-/// Hits are in their tile's core or within two radii of it, as discs extend out of the core.
+/// Hits are in their tile's core or within two radii of it, because discs extend out of the core.
 TEST(TileSets, FirstHitsNameTheirTiles) {
     const SphereSet sphere;
     std::vector<std::size_t> hits(sphere.set.tiles.size());

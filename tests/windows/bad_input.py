@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""Gives bad input to the tools of this system and, in Wine, to those of Windows: both must refuse it with the same words
-and the same exit code.
-   bad_input.py BIN BUILD COUNT   BIN, BUILD: see lib.sh; in a folder with sphere.pro and what bad_input.sh puts there
-The cases follow from their number alone, so that COUNT more are a superset of COUNT.
+"""Gives bad input to the tools of this system and, in Wine, to those for Windows: both must refuse it with the same
+message and exit code.
+   bad_input.py BIN BUILD COUNT   BIN, BUILD: see lib.sh; run it in a folder with the files that bad_input.sh creates
+Each case depends only on its number, so a larger COUNT includes the cases of a smaller one.
 """
 import pathlib
 import random
@@ -13,7 +13,7 @@ import sys
 
 BIN, BUILD, COUNT = pathlib.Path(sys.argv[1]), pathlib.Path(sys.argv[2]), int(sys.argv[3])
 
-# There is no such device: what is good enough to be traced ends there, with the same words.
+# There is no such device: if the input is valid enough to be traced, both tools end there with the same words.
 STOP = ["--device", "99"]
 CAST = ["pointrt-rays", "cast", "sphere.pro", "--rays", "rays.txt", "-o", "a.csv"]
 LIDAR = ["pointrt-rays", "lidar", "sphere.pro", "--sensor", "sensor.toml", "--pose", "3,0,0", "-o", "a.csv"]
@@ -21,9 +21,10 @@ VIEW = ["pointrt-view", "sphere.pro", "-o", "a.png"]
 BAKE = ["pointrt-bake", "sphere.xyz", "-q", "--force", "-o", "b.pro"]
 WORDS = ["", "0", "-1", "nan", "inf", "1e999", "0x10", "word", "99999999999999999999", "1,2", "1;2", "on", "ü", "点", "😀",
          "none/a.json", "folder", '"', "[", "--", "-q", "%s%n", "a" * 300, " ", "\\", "NUL", "con"]
-# No names of files in Windows, or those of devices and of the root folder. It refuses them too, but not always for that reason: docs/INSTALL.md.
+# Not valid as file names in Windows, or names of devices or of the root folder. Windows refuses them too, but not
+# always with the same reason: docs/INSTALL.md.
 NO_NAMES = {'"', "a" * 300, "con", "NUL", "\\"}
-# which answer without input, name this machine's devices, or open a window
+# options that give an answer without input, name this machine's devices, or open a window
 LEFT_OUT = {"--help", "--version", "--generate", "--device", "--bake", "--record", "--replay", "--offscreen", "--quiet"}
 
 
@@ -79,7 +80,7 @@ def misspelt(choose):
 
 
 def scan(choose):
-    header = 4096  # header, table of sections and the first of them
+    header = 4096  # the header, the section table and the first sections
     file = changed_bytes(choose, "sphere.pro", "changed.pro", choose.choice([512, header, 1 << 30]))
     return choose.choice([["pointrt-info", file, "--verify"], ["pointrt-info", file, "--json"],
                           ["pointrt-info", file, "--export", "b.ply", "--force"],
@@ -123,7 +124,7 @@ KINDS = [options, misspelt, scan, cloud, rays, scene, sensor, cameras, transform
 def answer(program, arguments):
     result = subprocess.run([*program, *arguments], stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.PIPE,
                             timeout=300, check=False)
-    # Windows joins names of files with \
+    # Windows joins paths with \
     return result.returncode, result.stdout.replace(b"\\", b"/"), result.stderr.replace(b"\\", b"/")
 
 
@@ -139,7 +140,7 @@ def main():
             differing.append(f"case {number}: {tool} {arguments}\n  here:    {here}\n  Windows: {there}")
     print("\n".join(differing))
     print(f"{COUNT} cases, {refused} refused, {len(differing)} answered otherwise in Windows")
-    sys.exit(bool(differing) or refused < 0.7 * COUNT)  # changed words may be good ones; most are not
+    sys.exit(bool(differing) or refused < 0.7 * COUNT)  # changed words may be valid; most are not
 
 
 main()

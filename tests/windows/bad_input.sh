@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# Bad command lines, scans before and after they are baked, transforms, rays, scenes, sensors and lists of cameras: the same error lines and exit codes as here.
+# Bad command lines, scans, .pro files, transforms, rays, scenes, sensors and lists of cameras: error lines and exit
+# codes are the same on both systems.
 #   POINTRT_WINDOWS_BAD_INPUTS: how many (default 45)
 # shellcheck source=lib.sh
 . "$(dirname "$0")/lib.sh"

@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# pointrt-bake of Windows: the same bytes and words as here for scans of many formats, options and tile sets; names of
-# files with any characters, long paths, Ctrl-C, hostile files, and bakes that pointrt-view starts.
-#   POINTRT_DATA: a folder with real scans, of which those below 300 kB are baked
+# pointrt-bake for Windows writes the same bytes and prints the same text as here: scans of many formats, options, tile
+# sets, file names with any characters, long paths, Ctrl-C, hostile files, and bakes started by pointrt-view.
+#   POINTRT_DATA: a folder with real scans; those below 300 kB are baked
 # shellcheck source=lib.sh
 . "$(dirname "$0")/lib.sh"
 needs pointrt-bake
@@ -23,7 +23,7 @@ writeGaussians
 mv row.splat scans
 python3 "$repository/tests/windows/bake_inputs.py" "$bin" "$build" scans/*
 
-# every stage that rounds: cleaning, orientation, filling, Gaussians, Windows's own paths among several scans
+# every stage that rounds: cleaning, orientation, filling, Gaussians. Paths in Windows syntax among several scans
 for options in '--clean 2' '--clean off --orient up' '--orient mst' '--splat ball' '--normals estimate --neighbors 24' \
     '--thin 0.1' '--bounds -1,-1,-1,1,1,0.5' '--every 3 --attributes none' '--compact' '--prune off --up y' '--threads 1'; do
     # shellcheck disable=SC2086 # a list of words

@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""Bakes each input here and, in Wine, by pointrt-bake of Windows: the same exit code, words and bytes.
-   bake_inputs.py BIN BUILD INPUT...   BIN, BUILD: see lib.sh; what is baked is written to the current folder
+"""Bakes each input with pointrt-bake of this system and, in Wine, with that for Windows: exit code, messages and output
+files must be the same.
+   bake_inputs.py BIN BUILD INPUT...   BIN, BUILD: see lib.sh; writes to the current folder
 """
 import pathlib
 import subprocess
@@ -16,7 +17,7 @@ def answer(program, scan):
     OUTPUT.unlink(missing_ok=True)
     result = subprocess.run([*program, "-q", scan, "-o", OUTPUT], stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
                             stderr=subprocess.PIPE, timeout=600, check=False)
-    # Windows joins names of files with \
+    # Windows joins paths with \
     words = (result.stdout + result.stderr).replace(b"\\", b"/").decode(errors="replace")
     return result.returncode, words, OUTPUT.read_bytes() if OUTPUT.exists() else None
 

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# Builds the tools for Windows, again where they have been built: pointrt-info, and the others if the sources of the
-# libraries that they need can be had. Sets Wine up, to run them.
+# Builds or updates the tools for Windows: pointrt-info, and the others if the sources of their libraries can be
+# downloaded. Sets up Wine to run them.
 #   build.sh REPOSITORY BUILD
 set -euo pipefail
 repository=$1 build=$2
@@ -19,7 +19,7 @@ if ! "$libraries" "$build/libraries" >"$build/log" 2>&1; then
     others=OFF
     "$libraries" "$build/libraries" headers
 fi
-# -O1 takes half as long to compile as a release, and rounds alike.
+# -O1 takes half as long to compile as a release, and rounds the same way.
 cmake -S "$repository" -B "$build" -G Ninja --toolchain "$repository/cmake/mingw-w64.cmake" \
     -D POINTRT_WINDOWS_LIBRARIES="$build/libraries" -D CMAKE_BUILD_TYPE=Release -D CMAKE_CXX_FLAGS_RELEASE="-O1 -DNDEBUG" \
     -D POINTRT_CCACHE=OFF -D POINTRT_BUILD_BAKE=$others -D POINTRT_BUILD_VIEW=$others -D POINTRT_BUILD_TESTS=OFF \
@@ -27,7 +27,7 @@ cmake -S "$repository" -B "$build" -G Ninja --toolchain "$repository/cmake/mingw
     cmake --build "$build" >>"$build/log" 2>&1 || { cat "$build/log" && exit 1; }
 grep -A1 'Without LAZ and E57' "$build/log" || true
 
-# Wine's folder for all tests: to set one up takes ten seconds.
+# Wine's folder for all tests: creating one takes ten seconds.
 command -v wine >/dev/null || { echo "Nothing is run: no wine here" && exit 0; }
 [ ! -e "$build/wine" ] || exit 0
 export WINEPREFIX=$build/wine.new WINEDEBUG=-all

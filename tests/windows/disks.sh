@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# The tools for Windows on disks that are full or cannot be written, as drives and as folders: what they say, that they
-# leave no part of a file, and that they read from such disks.
+# The tools for Windows on full and on read-only disks, mounted as drives and as folders: error messages, no partial
+# files left behind, and reading from such disks.
 # shellcheck source=lib.sh
 . "$(dirname "$0")/lib.sh"
 [ "$(id -u)" = 0 ] || skip "only root can mount the disks"
@@ -21,7 +21,7 @@ trap finishDisks EXIT
 ln -sfn "$work/full" "$WINEPREFIX/dosdevices/f:"
 ln -sfn "$work/read_only" "$WINEPREFIX/dosdevices/r:"
 
-# refusedOnDrive DRIVE SUFFIX: exporting there fails with one line and code 4
+# refusedOnDrive DRIVE SUFFIX: exporting to this drive fails with one line and code 4
 refusedOnDrive() {
     local code=0
     wine "$build/bin/pointrt-info.exe" scan.pro --export "$1:\\a.$2" 2>windows.err || code=$?

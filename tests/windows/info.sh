@@ -1,12 +1,11 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# pointrt-info of Windows: what it prints and writes, its exit codes, names of files with any characters, long paths,
-# and hostile files.
+# pointrt-info for Windows: output, exports, exit codes, file names with any characters, long paths, and hostile files.
 # shellcheck source=lib.sh
 . "$(dirname "$0")/lib.sh"
 needs pointrt-info
 
-# exported SUFFIX: writes the same
+# exported SUFFIX: both write the same
 exported() {
     "$bin/pointrt-info" scan.pro --export "here.$1"
     wine "$build/bin/pointrt-info.exe" scan.pro --export "there.$1" || fail "cannot export .$1"
@@ -34,7 +33,7 @@ for name in "${names[@]}"; do
     wine "$build/bin/pointrt-info.exe" scan.pro --export "$name.ply" && cmp here.ply "$name.ply"
 done
 
-# what the Explorer shows of each program, and what lets it open names of any characters
+# the details that the Explorer shows of each program, and the manifest that lets it open any file name
 version=$("$bin/pointrt-info" --version | awk '{ print $2; exit }')
 for program in "$build"/bin/*.exe; do
     x86_64-w64-mingw32-windres -J coff -i "$program" -O rc -o resources
@@ -44,7 +43,7 @@ for program in "$build"/bin/*.exe; do
     done
 done
 
-# files that are missing, folders, and hostile files: one line, the same code
+# missing files, folders, and hostile files: one line and the same code
 mkdir folder
 refused pointrt-info none.pro
 refused pointrt-info none/scan.pro

@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
 # shellcheck shell=bash
-# Tests of the tools for Windows in Wine, beside those of this system: a script sources this with
+# Shared by the tests that compare the tools for Windows, run in Wine, with those of this system. A script sources this
+# with the arguments
 #   REPOSITORY BIN BUILD   BIN: the tools of this system; BUILD: where build.sh has built those for Windows
-# and is then in an empty folder.
+# and then runs in an empty folder.
 set -euo pipefail
 repository=$1 bin=$2 build=$3
 golden=$repository/tests/format/golden
@@ -31,10 +32,10 @@ trap finish EXIT
 export WINEPREFIX=$build/wine WINEDEBUG=-all LC_ALL=C.UTF-8 POINTRT_INDEX_CACHE=off
 unset DISPLAY WAYLAND_DISPLAY
 cd "$work"
-# Nothing is baked yet, for either.
+# Nothing is baked yet, on either side.
 export XDG_CACHE_HOME=$work/cache
 rm -rf "$WINEPREFIX"/drive_c/users/*/AppData/Local/pointrt
-# One server for the whole test: without it each program starts and ends its own, which takes seconds.
+# One server for the whole test: otherwise each program would start and stop its own, which takes seconds.
 wineserver -p || true # it may be running already
 
 # needs TOOL: skips the test if there is no such tool for Windows.
@@ -52,7 +53,8 @@ needsDisplay() {
     export DISPLAY=:$number
 }
 
-# run TOOL ARGUMENT...: both, into here.out, here.err, windows.out, windows.err; their exit codes must be the same.
+# run TOOL ARGUMENT...: runs both tools, with output in here.out, here.err, windows.out and windows.err; their exit
+# codes must be equal.
 run() {
     local code=0 code_there=0 tool=$1
     shift
@@ -60,20 +62,20 @@ run() {
     wine "$build/bin/$tool.exe" "$@" >windows.out 2>windows.err </dev/null || code_there=$?
     [ $code = $code_there ] || fail "$tool $*: exit code $code_there in Windows, $code here: $(cat windows.err)"
 }
-# alike TOOL ARGUMENT...: prints the same.
+# alike TOOL ARGUMENT...: both must print the same.
 alike() {
     run "$@"
     cmp here.out windows.out || fail "$*: prints otherwise in Windows: $(head -c 300 windows.out)"
     cmp here.err windows.err || fail "$*: complains otherwise in Windows: $(cat windows.err)"
 }
-# refused TOOL ARGUMENT...: one line says why, and the exit code is the same.
+# refused TOOL ARGUMENT...: both must print one line with the reason, and have the same exit code.
 refused() {
     run "$@"
     [ "$(wc -l <windows.err)" = 1 ] || fail "$*: not one line: $(cat windows.err)"
     grep -q "^$1: error: " windows.err || fail "$*: $(cat windows.err)"
 }
-# written FILE TOOL ARGUMENT...: with -o FILE, both write the same file, and say the same but for the \ that Windows joins
-# names with.
+# written FILE TOOL ARGUMENT...: with -o FILE, both must write the same file and print the same, except that Windows
+# joins paths with \.
 written() {
     local file=$1 tool=$2 name
     shift 2
@@ -86,7 +88,7 @@ written() {
     tr '\\' / <windows.err | cmp here.err - || fail "$tool $*: says otherwise in Windows: $(cat windows.err)"
 }
 
-# Names of any characters, and paths longer than the 260 characters of old.
+# Names with any characters, and paths longer than the traditional limit of 260 characters.
 long=$(printf '%0100d/' 1 2 3)
 mkdir -p "$long"
 names=('Müller, Straße' 'скан 点群' 'emoji 😀' "${long}scan")

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# pointrt-rays of Windows: the files that all its commands write, its reports, names of files with any characters, long
-# paths, standard streams, and bad input.
+# pointrt-rays for Windows: the output files of all commands, reports, file names with any characters, long paths,
+# standard streams, and bad input.
 # shellcheck source=lib.sh
 . "$(dirname "$0")/lib.sh"
 needsDisplay
@@ -26,7 +26,7 @@ sensor=$repository/docs/sensors/street.toml
 scan=(lidar sphere.pro --sensor "$sensor" --pose 3,0,0 --duration 0.05 --metres-per-unit 1 -q)
 "$bin/pointrt-rays" "${scan[@]}" -o here.csv
 wine "$build/bin/pointrt-rays.exe" "${scan[@]}" -o windows.csv
-# but for incidence_deg, an arccosine in single precision, whose last digit is the C library's
+# except incidence_deg, an arccosine in single precision, whose last digit depends on the C library
 for system in here windows; do cut -d, -f11 --complement $system.csv >$system.columns; done
 head -1 here.csv | cut -d, -f11 | grep incidence_deg >/dev/null
 cmp here.columns windows.columns || fail "pointrt-rays ${scan[*]}: other points in Windows"
@@ -58,7 +58,7 @@ for name in "${names[@]}"; do
     written "$name.npz" pointrt-rays cast "$name.pro" --rays "$name.txt"
 done
 
-# bad input: the same lines
+# bad input: both print the same lines
 mkdir folder
 : >empty.pro
 echo '1 2 3 4 5' >short.txt

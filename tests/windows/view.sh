@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# pointrt-view of Windows without its window: pictures of all kinds, names of files with any characters, long paths, bad
+# pointrt-view for Windows without a window: pictures of all kinds, file names with any characters, long paths, bad
 # input, and Ctrl-C.
 # shellcheck source=lib.sh
 . "$(dirname "$0")/lib.sh"
@@ -34,7 +34,7 @@ written plan.tif pointrt-view sphere.pro --plan 0.05
 wine "$build/bin/pointrt-view.exe" sphere.pro --thumbnail 64 -o small.png # takes what samples a second allows
 [ "$(od -An -tx1 -j16 -N8 small.png | tr -d ' \n')" = 0000004000000040 ] || fail "a thumbnail is not 64x64"
 
-# each system continues the other's film
+# each system continues a film of the other
 cp path.exr continued.exr
 "$bin/pointrt-view" scene.toml -q --integrator path --spp 12 $small --resume -o path.exr
 wine "$build/bin/pointrt-view.exe" scene.toml -q --integrator path --spp 12 $small --resume -o continued.exr
@@ -57,7 +57,7 @@ for name in "${names[@]}"; do
     [ -s "$name.json" ] || fail "no $name.json"
 done
 
-# bad input: the same lines
+# bad input: both print the same lines
 mkdir folder
 : >empty.pro
 sed 's/eye = .*/eye = [0, 2]/' scene.toml >eye.toml

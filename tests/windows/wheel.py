@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """wheel.py FOLDER
 
-Writes what the package computes of files whose names are in names.txt into FOLDER: hits, pictures and errors.
+Writes hits, pictures and errors that the package computes into FOLDER, from the files that names.txt lists.
 """
 import os
 import pathlib

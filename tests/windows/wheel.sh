@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# The wheel of the Python package for Windows: pip of a Python for Windows installs it, in Wine, where the package's own
-# tests pass and wheel.py gets the same numbers and pictures as here. Skips, with the reason, where something cannot be had.
+# The wheel of the Python package for Windows: pip installs it into a Python for Windows in Wine, where the package's
+# tests must pass and wheel.py must compute the same numbers and pictures as here. Skips, with the reason, if something
+# cannot be downloaded.
 #   wheel.sh REPOSITORY BIN BUILD WHEELS   WHEELS: the folder with the wheel for this system, which python.wheel makes
 # shellcheck source=lib.sh
 . "$(dirname "$0")/lib.sh"
@@ -28,12 +29,13 @@ x86_64-w64-mingw32-nm python/libs/python3.lib 2>/dev/null | sed -n 's/.* I __imp
     awk 'BEGIN { print "LIBRARY python3\nEXPORTS" } { print $1 " = python313." $1 }' >python3.def
 x86_64-w64-mingw32-gcc-posix -shared -nostdlib -Wl,--entry=0 python3.def -o python/python3.dll
 for package in packages/*.whl; do python3 -m zipfile -e "$package" python/lib/site-packages; done
-# here, there ARGUMENT...: runs Python of either system. In Wine 8, Python takes pipes for standard streams, but no files.
+# here, there ARGUMENT...: runs Python of this system or of Windows. In Wine 8, Python accepts pipes as standard
+# streams, but not files.
 export PYTHONDONTWRITEBYTECODE=1
 here() { linux/bin/python "$@"; }
 there() { WINEDLLOVERRIDES='ucrtbase=n,b;winedbg.exe=d' wine python/python.exe "$@" </dev/null 2>&1 | cat; }
 
-# -O1: what calls the libraries need not be fast here
+# -O1: the calls into the libraries need not be fast here
 "$repository/packaging/windows/wheel.sh" "$linux_wheel" "$build" "$build/python" \
     -C cmake.define.CMAKE_CXX_FLAGS_RELEASE="-O1 -DNDEBUG"
 wheel=$(echo "$build"/packages/pointrt-*-cp312-abi3-win_amd64.whl)
@@ -44,9 +46,9 @@ libraries=$(x86_64-w64-mingw32-objdump -p files/pointrt/_core.pyd | sed -n 's/.*
 
 there -m pip install --no-index --no-deps --disable-pip-version-check "$wheel" >log || fail "pip: $(cat log)"
 export POINTRT_BAKE=$build/bin/pointrt-bake.exe
-# but for a test that hides drivers by the environment, which Wine's programs do not hand on to Linux's Vulkan loader. A new
-# folder for temporary files: in Wine, links are folders, and where pytest deletes older ones it would follow links that
-# tests of this system have left there. TMPDIR must stay as it is, since it has Wine's socket.
+# Not run: a test that hides drivers through the environment, which programs in Wine do not pass on to the Vulkan loader
+# of Linux. --basetemp: in Wine links look like folders, so pytest would follow links left by tests of this system when
+# it deletes old temporary folders. TMPDIR must stay the same, because it contains Wine's socket.
 there -m pytest -q -p no:cacheprovider --basetemp="$work/temporary" -k "not test_no_device" "$repository/python/tests" >log || fail "$(cat log)"
 tail -1 log
 

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# pointrt-view's window of Windows: a recording replayed in Wine, on an X server, shows what it shows here.
+# The window of pointrt-view for Windows: a recording replayed in Wine on an X server gives the same picture as here.
 # shellcheck source=lib.sh
 . "$(dirname "$0")/lib.sh"
 needsDisplay
@@ -27,8 +27,8 @@ pointrt-recording 1 window 640x480 scale 1
 12 quit
 END
 
-# replayed NAME COMMAND...: what a replay leaves, into the folder NAME. The picture is that of here, and the scene too but
-# for the camera's last digits, where functions of angles differ by a rounding.
+# replayed NAME COMMAND...: runs a replay and moves its files into the folder NAME. Picture and scene must be the same
+# on both systems, except for the last digits of the camera, where trigonometric functions round differently.
 replayed() {
     local folder=$1
     shift

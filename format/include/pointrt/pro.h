@@ -223,8 +223,8 @@ typedef struct pro_content {
     const pro_sampling* sampling;
 } pro_content;
 
-/* Writes content like pro_write, or like pro_write_new if replace is 0. Of sampling nothing is written without noise
- * and filled splats. */
+/* Writes content like pro_write, or like pro_write_new if replace is 0. Writes nothing for sampling if there are
+ * neither noise nor filled splats. */
 PRO_API pro_result pro_write_content(const char* path, const pro_content* content, int replace, pro_message* message);
 
 /* The same with the Gaussians of the splats, which may be NULL; harmonics are ignored if the degree is 0. */

@@ -8,15 +8,18 @@
 namespace pointrt {
 namespace {
 
-/// Fainter Gaussians are more air than surface. In a trained model of a person they are 55 % of all Gaussians, but 9 %
-/// of the covered area; at 0.5 (78 % and 24 %) holes appear, and at 0.1 a fur of faint ones hides the face.
+/// Gaussians fainter than this are more air than surface. In a trained model of a person they are 55 % of all
+/// Gaussians, but 9 % of the covered area; at 0.5 (78 % and 24 %) holes appear, and at 0.1 a fur of faint ones hides
+/// the face.
 constexpr float kLeastOpacity = 0.2f;
 
-/// The shortest axis is the normal only if it is much shorter than the next one; otherwise neighbours estimate better.
+/// The shortest axis is used as normal only if it is much shorter than the next one; otherwise the neighbours give a
+/// better estimate.
 constexpr float kFlattest = 0.3f;
 
-/// Skies and far backgrounds are shells of a few huge Gaussians, which as discs would hide what lies before them. Drops
-/// those whose radius exceeds this share of the longest edge of the box of all centres but the outermost hundredths.
+/// Skies and far backgrounds are shells of a few huge Gaussians, which as discs would hide what lies before them.
+/// Gaussians are dropped if their radius exceeds this share of the longest edge of the box around all centres but the
+/// outermost hundredths.
 constexpr double kLargestShare = 0.25, kOutermost = 0.01;
 
 /// The box is measured from at most this many centres.
@@ -77,8 +80,9 @@ GaussianDisc discOf(const Gaussian& gaussian) {
     std::array<int, 3> order = {0, 1, 2};
     std::sort(order.begin(), order.end(), [&](int a, int b) { return deviations[a] < deviations[b]; });
     const float flat = deviations[order[0]], middle = deviations[order[1]], longest = deviations[order[2]];
-    // Between the ellipse's width and the radius of its area: median ellipses are 4 times as long as wide, discs as
-    // large as they would stick out of all edges, and as wide as they would leave gaps.
+    // The disc's radius is between the ellipse's width and the radius of a disc with its area. Typical ellipses are 4
+    // times as long as wide: discs of their area would stick out at all edges, and discs of their width would leave
+    // gaps.
     disc.radius = kRadiusDeviations * std::cbrt(middle * middle * longest);
     disc.is_flat = flat < kFlattest * middle;
     const float length = gaussian.rotation.norm();

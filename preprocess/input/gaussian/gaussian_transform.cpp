@@ -9,7 +9,7 @@
 namespace pointrt {
 namespace {
 
-/// Transforms are written by hand or with few digits: this much rounding is no skew.
+/// Transforms are written by hand or with few digits: deviations up to this are rounding, not skew.
 constexpr double kSkewTolerance = 1e-3;
 
 /// More directions than the 7 harmonics of degree 3, spread evenly on a spiral: the equations are far from singular
@@ -22,7 +22,7 @@ Vec3d directionOf(int i) {
     return {radius * std::cos(angle), radius * std::sin(angle), z};
 }
 
-/// The harmonics of one degree in all directions, turned first; a row for each direction.
+/// The harmonics of one degree in all directions, after rotation; a row for each direction.
 Eigen::MatrixXd evaluated(const Eigen::Matrix3d& rotation, int degree) {
     const int first = gaussianHarmonicCount(degree - 1), count = 2 * degree + 1;
     Eigen::MatrixXd values(kDirections, count);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Turns and scales Gaussians, with their view-dependent colours.
+// Rotates and scales Gaussians, with their view-dependent colours.
 #pragma once
 
 #include <Eigen/Geometry>
@@ -9,7 +9,7 @@
 
 namespace pointrt {
 
-/// The linear part of a transform that turns and scales alike in all directions.
+/// The linear part of a transform that rotates and scales equally in all directions.
 class GaussianTransform {
 public:
     /// Throws Error, which names the input, if the transform mirrors, skews or is not invertible.
@@ -23,7 +23,8 @@ private:
     int degree_;
     float scale_ = 1;
     Eigen::Quaternionf rotation_ = Eigen::Quaternionf::Identity();
-    std::array<Eigen::MatrixXf, 3> bands_; ///< by degree minus 1: factors of the turned harmonics from those before
+    /// [degree - 1]: matrices that turn harmonic coefficients into those of the rotated Gaussian.
+    std::array<Eigen::MatrixXf, 3> bands_;
 };
 
 /// The matrix that turns factors of the harmonics of one degree: a colour that was seen along d is then seen along

@@ -12,12 +12,12 @@ namespace pointrt {
 namespace {
 
 /// A Gaussian's axes are at least this long relative to its longest. Rays are traced in units of the deviations, where
-/// rounding of the long axes grows by the inverse of the ratio: by 2^10 of the 2^24 steps of a float, which leaves
-/// 2^14 to a deviation. 2D Gaussians, whose third axis has no length, become as thin as that.
+/// rounding errors of the long axes grow by the inverse of this ratio: by 2^10 of the 2^24 steps of a float, which
+/// leaves 2^14 steps to a deviation. 2D Gaussians, whose third axis has no length, become this thin.
 constexpr float kThinnest = 1.0f / 1024;
 
-/// Whether a Gaussian can be kept; makes its rotation of unit length, its opacity a share and its axes no thinner than
-/// kThinnest.
+/// Whether a Gaussian can be kept; normalises its rotation, clamps its opacity to 0 to 1, and makes its axes no thinner
+/// than kThinnest.
 bool repair(Gaussian& gaussian, int harmonic_count) {
     const Eigen::Vector4d parts = gaussian.rotation.coeffs().cast<double>();
     const double length = parts.norm();
@@ -60,7 +60,7 @@ void pack(const Gaussian& gaussian, int harmonic_count, std::vector<float>& valu
     for (int i = 0; i < harmonic_count; ++i) add(gaussian.harmonics[static_cast<std::size_t>(i)]);
 }
 
-/// The disc that programs without Gaussians show, in the frame of the scan: the sink transforms it.
+/// The disc that programs without support for Gaussians show, in the frame of the scan: the sink transforms it.
 Row discRow(const Gaussian& gaussian) {
     const GaussianDisc disc = discOf(gaussian);
     Row row{};
@@ -123,7 +123,7 @@ void readGaussians(const InputFile& input, const GaussianFile& file, const EachG
     readGaussianScan(input, file, each, sink);
     WorldFrame frame;
     frame.up = file.up;
-    frame.up_by_custom = true; // programs that train them keep whatever frame their cameras had
+    frame.up_by_custom = true; // programs that train Gaussians keep whatever frame their cameras had
     sink.setWorldFrame(input, frame);
 }
 

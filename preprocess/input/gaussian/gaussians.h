@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Gaussians of a radiance field, from any of the formats that hold them to the sink.
+// Passes Gaussians of a radiance field, from any format that holds them, to the sink.
 #pragma once
 
 #include <Eigen/Geometry>

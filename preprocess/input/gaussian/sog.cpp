@@ -14,12 +14,12 @@ namespace {
 
 bool isSogStart(std::string_view bytes) { return isSogArchive(bytes) || isSogMeta(bytes) || isSogLevels(bytes); }
 
-/// The frame of the PLY files that SOGs are made of.
+/// The frame of the PLY files that SOGs are converted from.
 const Vec3d kSogUp = -Vec3d::UnitY();
 
-/// A meta.json and its Gaussians to read.
+/// A meta.json, and which of its Gaussians to read.
 struct SogPart {
-    std::string meta; ///< its name, relative to the lod-meta.json
+    std::string meta; ///< name of the meta.json, relative to the lod-meta.json
     std::vector<SogRange> ranges;
 
     SogUnit open(const SogFiles& files) const { return {files, files.open("", meta), SogFiles::folderOf(meta)}; }
@@ -28,12 +28,12 @@ struct SogPart {
 std::vector<SogPart> partsOf(const SogLevels& levels) {
     std::vector<SogPart> parts;
     for (const SogLevelFile& file : levels.files) parts.push_back({file.name, file.ranges});
-    if (levels.scene) parts.push_back({*levels.scene, {}}); // whole
+    if (levels.scene) parts.push_back({*levels.scene, {}}); // all of its Gaussians
     return parts;
 }
 
-/// Requires that files hold what is to be read of them, and each to be named once: a few lines could demand any amount
-/// of memory otherwise.
+/// Requires that files hold the Gaussians to be read from them, and that each file is named only once: otherwise a few
+/// lines could request any amount of memory.
 GaussianFile checkParts(const InputFile& input, const SogFiles& files, std::vector<SogPart>& parts) {
     GaussianFile all;
     all.up = kSogUp;

@@ -57,7 +57,7 @@ SogFiles::SogFiles(const InputFile& input) : input_(input) {
     meta_ = openZipMember(input, *member);
 }
 
-/// The one in the outermost folder.
+/// The meta.json in the outermost folder.
 const ZipMember* SogFiles::metaMember() const {
     for (const std::string_view name : {kSogLevels, kSogMeta}) {
         const ZipMember* found = nullptr;

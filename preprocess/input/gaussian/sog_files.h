@@ -34,8 +34,8 @@ public:
     /// @param named_in the folder of the other file, relative to that of meta(): "" or as folderOf gives it
     InputFile open(const std::string& named_in, const std::string& name) const;
 
-    /// Throws Error if this many Gaussians are more than the files opened so far can hold in earnest: a lossless image
-    /// of one colour takes a few bytes whatever its size.
+    /// Throws Error if this many Gaussians are implausible for the size of the files opened so far: a lossless image of
+    /// one colour takes a few bytes whatever its size.
     void checkPromise(std::uint64_t gaussians) const;
 
     /// The folder of a file, with a slash at its end, or "".

@@ -21,7 +21,7 @@ std::uint64_t levelNumber(const JsonValue& node, const std::string& key) {
     return number;
 }
 
-/// The coarsest of a leaf's levels that is as fine as the wanted one, or else its finest. Null if it has none.
+/// The coarsest of a leaf's levels that is at least as fine as the wanted one, else its finest. Null if it has none.
 const nlohmann::json* chosenLevel(const JsonValue& levels, std::uint64_t wanted) {
     const nlohmann::json* best = nullptr;
     std::uint64_t best_number = 0;
@@ -62,7 +62,7 @@ RangesByFile rangesOf(const InputFile& input, const JsonValue& tree, std::uint64
     return ranges;
 }
 
-/// Otherwise a few lines could demand any amount of memory.
+/// Without this, a few lines could request any amount of memory.
 void checkOverlap(const InputFile& input, const std::string& name, std::vector<SogRange>& ranges) {
     std::sort(ranges.begin(), ranges.end(), [](const SogRange& a, const SogRange& b) { return a.first < b.first; });
     for (std::size_t i = 1; i < ranges.size(); ++i)

@@ -18,7 +18,7 @@ Vec3d threeNumbers(const JsonValue& value) {
     return {value.at(0).number(), value.at(1).number(), value.at(2).number()};
 }
 
-/// Version 1: shares of a range.
+/// Version 1: fractions of a range.
 ByteTable rangeTable(double low, double high) {
     ByteTable table{};
     for (std::size_t i = 0; i < table.size(); ++i)
@@ -26,7 +26,7 @@ ByteTable rangeTable(double low, double high) {
     return table;
 }
 
-/// Version 2: a codebook. Some writers left the first value null, which is the one before the second.
+/// Version 2: a codebook. Some writers left the first value null; it is then extrapolated from the next two.
 ByteTable codebookTable(const JsonValue& section) {
     const JsonValue codebook = section.member("codebook");
     ByteTable table{};
@@ -39,7 +39,7 @@ ByteTable codebookTable(const JsonValue& section) {
     return table;
 }
 
-/// By axis or channel.
+/// The tables of a section, by axis or channel.
 ByteTable partTable(const JsonValue& section, std::size_t part) {
     return rangeTable(section.member("mins").at(part).number(), section.member("maxs").at(part).number());
 }

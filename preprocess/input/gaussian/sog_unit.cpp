@@ -12,8 +12,8 @@ namespace {
 /// Sets of harmonics in a row of their image, a pixel for each harmonic.
 constexpr std::uint64_t kSetsOfRow = 64;
 
-/// Images are nearly square and little larger than their Gaussians: they may have this many times as many pixels, and
-/// this many more, which suffices for all sets of harmonics.
+/// Images are nearly square and have few more pixels than Gaussians: at most this many times as many, plus this
+/// constant, which suffices for all sets of harmonics.
 constexpr std::uint64_t kPixelsPerGaussian = 4, kPixelsAtLeast = 1 << 20;
 
 /// Opens an image and reads its header.
@@ -53,7 +53,9 @@ void decodeImage(SogImage& image) {
 /// Means are stored as sign(x) log(|x| + 1).
 double meanOf(double logarithm) { return std::copysign(std::expm1(std::abs(logarithm)), logarithm); }
 
-/// Three parts of w x y z in bytes from -sqrt(1/2) to sqrt(1/2), and which one is missing, the largest, as 252 to 255.
+/// 2) to sqrt(1/2), and which one is missing, the largest, as 252 to 255./The three smaller parts of w x y z in bytes
+/// from -sqrt(1/2) to sqrt(1/2), and the index of the largest as 252 to 255./2) to sqrt(1/2), and which one is missing,
+/// the largest, as 252 to 255.
 Eigen::Quaternionf rotationOfBytes(const std::uint8_t* bytes) {
     constexpr int kFirstMark = 252;
     if (bytes[3] < kFirstMark) return Eigen::Quaternionf::Identity();
@@ -95,7 +97,7 @@ void SogUnit::checkImages() const {
         if (!image->file.bytes.empty()) checkSize(*image, meta_.count);
 }
 
-/// The width of the image tells the degree, which version 1 does not.
+/// The width of the image gives the degree, which version 1 does not state.
 void SogUnit::checkHarmonics() {
     for (int degree = 1; degree <= 3; ++degree)
         if (centroids_.width == kSetsOfRow * static_cast<std::uint64_t>(gaussianHarmonicCount(degree)))

@@ -27,8 +27,8 @@ Eigen::Quaternionf rotationOf(const Record& record) {
     return {part(0), part(1), part(2), part(3)};
 }
 
-/// Plausibility of a record: the format has no signature, but rotations have unit length to the last bit or two (1 /
-/// 128 in each component), deviations are positive and coordinates finite.
+/// Whether a record is plausible: the format has no signature, but rotations have unit length to the last bit or two (1
+/// / 128 in each component), deviations are positive and coordinates finite.
 bool isPlausible(const Record& record) {
     constexpr float kRounding = 0.05f;
     if (std::abs(rotationOf(record).norm() - 1) > kRounding) return false;
@@ -48,7 +48,7 @@ bool areSplats(std::string_view bytes, std::size_t first_of) {
     return bytes.size() % sizeof(Record) == 0 && 2 * plausible > count;
 }
 
-/// Random bytes look like a record a few times in a hundred.
+/// Random bytes look like a record in a few cases of a hundred.
 bool isSplatStart(std::string_view bytes) {
     constexpr std::size_t kTelling = 64;
     return bytes.size() >= kTelling * sizeof(Record) && areSplats(bytes, kTelling);

@@ -45,8 +45,8 @@ Eigen::Quaternionf rotationOfThree(const Bytes& bytes) {
     return {w, xyz.x(), xyz.y(), xyz.z()};
 }
 
-/// 2 bits: index of the largest of x y z w; then the others from the last one up in 10 bits each, a sign and a fraction
-/// of sqrt(1/2), which only the largest can exceed.
+/// 2 bits: index of the largest of x y z w; then the others, starting with the last one, in 10 bits each, a sign and a
+/// fraction of sqrt(1/2), which only the largest can exceed.
 Eigen::Quaternionf rotationOfSmallest(const Bytes& bytes) {
     std::uint32_t bits = bytes[0] | bytes[1] << 8 | bytes[2] << 16 | bytes[3] << 24;
     const auto largest = static_cast<int>(bits >> 30);

@@ -70,8 +70,8 @@ bool decodeCounts(const InputFile& input, MeshCounts& counts) {
     return buffer.Decode(&counts.points);
 }
 
-/// The library allocates what a file promises. A file may request this much, plus sixteen points for each of its
-/// bytes: the best compressed regular grid has seven points per byte.
+/// The library allocates memory for as many points as a file declares. A file may declare this many, plus sixteen
+/// points for each of its bytes: the best compressed regular grid has seven points per byte.
 constexpr std::uint64_t kPointsAtLeast = 1 << 20, kPointsPerByte = 16;
 constexpr std::uint64_t kBytesPerPoint = 64;
 
@@ -103,7 +103,7 @@ protected:
     }
 };
 
-/// `mesh` points to `points` if these are a mesh.
+/// If the points are a mesh, `mesh` points to `points`.
 struct Decoded {
     std::unique_ptr<draco::PointCloud> points;
     const draco::Mesh* mesh = nullptr;
@@ -157,7 +157,7 @@ struct Roles {
     const PointAttribute* colors = nullptr;
 };
 
-/// By the types of attributes, or by the numbers that the file around the data gives.
+/// Finds attributes by their types, or by the ids that the surrounding file gives.
 Roles rolesOf(const draco::PointCloud& points, const DracoIds& ids) {
     const auto byId = [&](const std::optional<std::uint32_t>& id) -> const PointAttribute* {
         const PointAttribute* const attribute = id ? points.GetAttributeByUniqueId(*id) : nullptr;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Draco data, in a file of its own or inside another.
+// Draco data, as a file or inside another file.
 #pragma once
 
 #include <cstdint>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Draco's decoders with checks that they lack. They convert any byte of the file to a PredictionSchemeMethod, which is
-// undefined for values outside the enumeration, and allocate memory for a second, unchecked number of points.
+// Draco's decoders with additional checks. Without these, they convert any byte of the file to a
+// PredictionSchemeMethod, which is undefined for values outside the enumeration, and allocate memory for a second,
+// unchecked number of points.
 #pragma once
 
 #include <array>
@@ -33,7 +34,7 @@ struct ControllerAccess {
 };
 template struct ControllerAccess<&DracoController::sequencer_, &DracoController::point_ids_>;
 
-/// Decodes attributes one after the other as its base does, but first checks the byte that each begins with.
+/// Decodes attributes one after the other as its base class does, but first checks the byte with which each begins.
 class GuardedController : public DracoController {
 public:
     using DracoController::DracoController;
@@ -59,13 +60,13 @@ protected:
 private:
     struct Each {
         draco::SequentialAttributeDecoder* decoder;
-        bool predicts; ///< begins with its prediction method
+        bool predicts; ///< the data begins with its prediction method
     };
     std::vector<Each> decoders_; ///< in the order of the attributes
 };
 
-/// Decodes a k-d tree of points as its base does. Before version 2.3 a method, a level and the number of points precede
-/// the tree; the base trusts that number, whatever the header says.
+/// Decodes a k-d tree of points as its base class does. Before version 2.3, a method, a level and the number of points
+/// precede the tree; the base class trusts that number, whatever the header says.
 class GuardedKdTree : public draco::KdTreeAttributesDecoder {
 protected:
     bool DecodeDataNeededByPortableTransforms(draco::DecoderBuffer* buffer) override {

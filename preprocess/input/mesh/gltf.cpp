@@ -22,7 +22,7 @@ void checkExtensions(const GltfFile& file) {
                        fmt::format("requires the glTF extension {}, which this build does not read", name));
 }
 
-/// The parts of a file by what they hold.
+/// The parts of a file, sorted by their contents.
 struct SortedParts {
     std::vector<GltfPart> gaussians, points, meshes;
     std::size_t lines = 0;
@@ -42,7 +42,7 @@ struct SortedParts {
     std::size_t scans() const { return !gaussians.empty() + !points.empty() + std::size_t{!meshes.empty()}; }
 };
 
-/// Says what is not read.
+/// Notes what is not read.
 void noteUnread(const GltfFile& file, const SortedParts& parts, Sink& sink) {
     if (parts.lines > 0)
         sink.note(file.input(), fmt::format("has {} primitives of lines, which are not read", parts.lines));
@@ -50,7 +50,7 @@ void noteUnread(const GltfFile& file, const SortedParts& parts, Sink& sink) {
     if (moves) sink.note(file.input(), "has animations or skins: its meshes are read as they are at rest");
 }
 
-/// Gaussians are baked by themselves.
+/// Drops points and meshes beside Gaussians, since these are baked separately.
 void dropSurfaces(const GltfFile& file, SortedParts& parts, Sink& sink) {
     if (parts.gaussians.empty() || sink.gaussians_as_discs || parts.points.size() + parts.meshes.size() == 0) return;
     sink.note(file.input(),

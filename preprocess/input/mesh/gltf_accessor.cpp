@@ -35,7 +35,7 @@ int componentsOf(const JsonValue& type) {
     type.refuse(fmt::format("is {}, but must be a scalar or a vector", inQuotes(type.text())));
 }
 
-/// What a normalised integer is divided by.
+/// The divisor of a normalised integer.
 double wholeOf(Scalar type) {
     const bool is_signed = type == Scalar::kI8 || type == Scalar::kI16;
     const double bits = 8 * static_cast<double>(scalarSize(type)) - (is_signed ? 1 : 0);

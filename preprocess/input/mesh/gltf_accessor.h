@@ -18,7 +18,7 @@ public:
     int components() const { return components_; }
     bool isReal() const { return type_ == Scalar::kF32; }
 
-    /// A component as the accessor says: normalised integers are shares of their range. element: below count()
+    /// A component, with normalised integers converted to fractions of their range. element: below count()
     double value(std::uint64_t element, int component) const;
     Vec3d three(std::uint64_t element) const { return {value(element, 0), value(element, 1), value(element, 2)}; }
 

@@ -36,7 +36,7 @@ std::optional<JsonValue> spzView(const GltfPart& part) {
     return std::nullopt;
 }
 
-/// The axes of the SPZ file stay as they are, as in Cesium, whose tiles are the most of these files: up is y in both.
+/// The axes of the SPZ file are kept, as in Cesium, whose tiles are most of these files: up is y in both.
 GaussianPart spzPart(const GltfFile& file, const JsonValue& view, Sink& sink) {
     struct Opened {
         InputFile input;
@@ -61,7 +61,7 @@ struct SplatAccessors {
     Gaussian at(std::uint64_t index) const;
 };
 
-/// Colours around the constant one, to first order: they are stored for one encoding and shown in the other.
+/// Colours around the constant one, to first order: they are stored for one encoding and displayed in the other.
 void encodeForDisplay(Gaussian& gaussian) {
     for (int channel = 0; channel < 3; ++channel) {
         const auto linear = static_cast<double>(std::max(gaussian.color[channel], 0.0f));
@@ -117,12 +117,12 @@ GaussianPart plainPart(const GltfFile& file, const GltfPart& part, Sink& sink) {
     std::uint64_t fewest = std::min({count, splats->rotation.count(), splats->scale.count(), splats->opacity.count()});
     for (const GltfAccessor& harmonic : splats->harmonics) fewest = std::min(fewest, harmonic.count());
     if (fewest < count)
-        attributes.refuse(fmt::format("have {} positions, but other values for {} only", count, fewest));
+        attributes.refuse(fmt::format("have {} positions, but other values for only {} of them", count, fewest));
     const auto space = part.extension(kSplatting)->optionalMember("colorSpace");
     splats->is_linear = space && space->text() == "lin_rec709_display";
     if (splats->is_linear)
         sink.note(file.input(),
-                  "has Gaussians of linear colours: they are converted, and blended as display-encoded ones");
+                  "has Gaussians with linear colours: these are converted and blended as display-encoded colours");
     return {count, degree, [splats](std::uint64_t index) { return splats->at(index); }};
 }
 

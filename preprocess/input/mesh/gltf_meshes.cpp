@@ -19,7 +19,7 @@ std::uint64_t modeOf(const GltfPart& part) {
     return mode ? mode->integer(kModeFan) : std::uint64_t{static_cast<unsigned>(kModeTriangles)};
 }
 
-/// A file may show the vertices of one mesh many times: as many as this, and this many for each of its bytes.
+/// A file may show the vertices of one mesh many times: at most this many in all, plus this many for each of its bytes.
 constexpr std::uint64_t kVerticesAtLeast = 1 << 24, kVerticesPerByte = 16;
 
 /// Sets of places in textures; files have one or two.
@@ -57,8 +57,8 @@ public:
         if (const auto indices = part.primitive.optionalMember("indices")) indices_.emplace(file, *indices, 1);
         for (const auto* accessor : {&normals_, &colors_})
             if (*accessor && (*accessor)->count() < positions_.count())
-                attributes_.refuse(fmt::format("have {} positions, but other values for {} only", positions_.count(),
-                                               (*accessor)->count()));
+                attributes_.refuse(fmt::format("have {} positions, but other values for only {} of them",
+                                               positions_.count(), (*accessor)->count()));
         normal_from_part_ = part.input_from_part.linear().inverse().transpose();
         mirrors_ = part.input_from_part.linear().determinant() < 0;
     }
@@ -66,7 +66,8 @@ public:
     bool hasNormals() const { return normals_.has_value(); }
     bool hasColors() const { return colors_ || material_.has_factor; }
 
-    /// Opens the texture of faces without colours of their own; without it they lack their colours, and a note says so.
+    /// Opens the texture of faces without colours of their own. If that fails, they have no colours, and a note says
+    /// so.
     void openTexture(Sink& sink) {
         if (!material_.texture || colors_ || isOfPoints()) return;
         const auto set = material_.texture->optionalMember("texCoord");
@@ -78,7 +79,7 @@ public:
         }
         try {
             openPicture(sink);
-        } catch (const Error& error) { // a file that is missing, for example
+        } catch (const Error& error) { // for example, because a file is missing
             noteUnreadTexture(file_.input(), error, sink);
         }
         if (picture_) places_.emplace(file_, *places, 2);
@@ -134,7 +135,7 @@ private:
         return static_cast<std::uint64_t>(vertex);
     }
 
-    /// A mirrored part would show its back.
+    /// Adds a face; reverses it in a mirrored part, which would otherwise show its back.
     void addFace(std::uint64_t first, std::array<std::uint64_t, 3> corners, Sink& sink) const {
         if (mirrors_) std::swap(corners[1], corners[2]);
         std::uint32_t face[3] = {};
@@ -149,7 +150,7 @@ private:
         sink.addPolygon(face, paint);
     }
 
-    /// In the texture, whose first row is the lowest here and the highest in glTF.
+    /// The place in the texture; here, the first row is the lowest, in glTF the highest.
     Eigen::Vector2f placeOf(std::uint64_t vertex) const {
         return {static_cast<float>(places_->value(vertex, 0)), static_cast<float>(1 - places_->value(vertex, 1))};
     }
@@ -171,7 +172,7 @@ private:
     bool mirrors_ = false;
 };
 
-/// Opens all parts, which shows what they have in all.
+/// Opens all parts, to find the properties that they have together.
 ScanTraits traitsOf(const GltfFile& file, const std::vector<GltfPart>& parts) {
     ScanTraits traits;
     traits.faces = false;
@@ -183,7 +184,8 @@ ScanTraits traitsOf(const GltfFile& file, const std::vector<GltfPart>& parts) {
         traits.vertices += reader.vertexCount();
     }
     if (traits.vertices > kVerticesAtLeast + kVerticesPerByte * file.size())
-        refuse(file.input(), fmt::format("shows {} vertices with {} bytes", traits.vertices, file.size()));
+        refuse(file.input(), fmt::format("has {} vertices in its scene, too many for a file of {} bytes",
+                                         traits.vertices, file.size()));
     return traits;
 }
 

@@ -7,7 +7,7 @@
 
 namespace pointrt {
 
-/// What a primitive draws.
+/// The shapes that a primitive draws.
 enum class GltfShape { kPoints, kLines, kTriangles };
 
 GltfShape gltfShape(const GltfPart& part);

@@ -7,7 +7,7 @@ namespace {
 /// A few thousand in large models; more would take memory out of proportion to a file that shows one mesh many times.
 constexpr std::size_t kMostParts = 1 << 20;
 
-/// By columns.
+/// A matrix in column-major order.
 Eigen::Affine3d matrixOf(const JsonValue& matrix) {
     Eigen::Affine3d transform = Eigen::Affine3d::Identity();
     for (Eigen::Index column = 0; column < 4; ++column)
@@ -65,7 +65,7 @@ void addParts(const GltfFile& file, const JsonValue& node, const Eigen::Affine3d
     if (!mesh) return;
     const JsonValue primitives = file.item("meshes", *mesh).member("primitives");
     if (primitives.size() > kMostParts - parts.size())
-        refuse(file.input(), fmt::format("shows more than {} primitives", kMostParts));
+        refuse(file.input(), fmt::format("has more than {} primitives in its scene", kMostParts));
     for (std::size_t i = 0; i < primitives.size(); ++i) parts.push_back({primitives.at(i), input_from_node});
 }
 

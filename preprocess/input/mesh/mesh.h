@@ -32,7 +32,7 @@ struct MeshSampling {
 MeshSampling chooseSampling(Cloud& cloud, const std::vector<ScanRange>& scans, std::optional<std::uint64_t> count,
                             const MeshPaint& paint = {});
 
-/// Gives corners of painted faces the colours there.
+/// Gives the corners of painted faces the colours at their places.
 void paintVertices(const MeshPaint& paint, Cloud& cloud);
 
 /// Throws Error (kBadUsage): a file without faces cannot be sampled.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Quality of a mesh's vertices as points: which belong to its surface, and whether they are dense enough for it.
+// Checks a mesh's vertices as points: which belong to its surface, and whether they are dense enough for it.
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
@@ -14,8 +14,8 @@ namespace pointrt {
 namespace {
 
 /// Discs around vertices with edges of length e have radii of 1.4 e / sqrt(3), a width of 1.6 e: with edges of this
-/// share of the diagonal a dozen discs span the mesh. Measured models of 50000 faces and more have 0.005 to 0.04, those
-/// of a thousand and fewer 0.06 and up.
+/// share of the diagonal, a dozen discs span the mesh. Measured models of 50000 faces and more have 0.005 to 0.04,
+/// those of a thousand and fewer 0.06 and up.
 constexpr double kCoarseEdge = 0.05;
 
 /// Radius of these discs over the edge length.
@@ -25,7 +25,8 @@ constexpr double kRadiusOverEdge = 0.8;
 /// the diagonal 420 pixels long.
 constexpr double kStandOff = 1 / 420.0;
 
-/// Samples along a diagonal, three to two such pixels, as far as the total allows: one per pixel leaves ragged edges.
+/// Samples along a diagonal, three to two such pixels, as far as the total number allows; one per pixel would leave
+/// ragged edges.
 constexpr double kSamplesAcross = 630;
 constexpr double kLeastSamples = 100'000, kMostSamples = 1'000'000;
 /// Fewer samples would lose detail of the vertices.
@@ -34,7 +35,7 @@ constexpr double kSamplesPerVertex = 2;
 /// Faces that use less than this share of the vertices do not make a file a mesh.
 constexpr std::size_t kFewFaces = 10;
 
-/// Flags points used by a face and, in meshes that are not sampled, corners of removed faces.
+/// Flags points that a face uses and, in meshes that are not sampled, corners of removed faces.
 std::vector<bool> usedPoints(const Cloud& cloud, const std::vector<ScanRange>& scans,
                              const std::vector<std::uint32_t>& removed_corners, const std::vector<bool>& sampled) {
     std::vector<bool> used(cloud.positions.size());
@@ -64,8 +65,8 @@ std::vector<std::uint32_t> cornersOf(const Cloud& cloud) {
     return corners;
 }
 
-/// [points], the first corner at the position of each, whose normal the single disc there gets: files with separate
-/// vertices for each face have several corners at a position.
+/// [points] the first corner at the same position; the single disc there gets its normal: files with separate vertices
+/// for each face have several corners at a position.
 std::vector<std::uint32_t> firstsAtPositions(const Cloud& cloud) {
     std::vector<std::uint32_t> corners = cornersOf(cloud), firsts(cloud.positions.size());
     const auto key = [&](std::uint32_t point) {
@@ -119,7 +120,7 @@ std::vector<FaceSizes> faceSizes(const Cloud& cloud, const std::vector<ScanRange
     return sizes;
 }
 
-/// Number of points with one spacing for all of these meshes, since a single picture shows them.
+/// The number of samples that gives all of these meshes the same spacing, since one picture shows them all.
 double samplesFor(const std::vector<FaceSizes>& sizes, const std::vector<bool>& sampled) {
     FaceSizes all;
     for (std::size_t i = 0; i < sizes.size(); ++i) {

@@ -17,9 +17,9 @@ struct Model {
     std::vector<std::uint32_t> polygon_ends; ///< indices into corners
 
     ObjMaterials materials;
-    bool has_materials = false;                 ///< an mtllib line precedes: only then are the next three kept
+    bool has_materials = false;                 ///< an mtllib line precedes: only then are the next members set
     std::vector<Eigen::Vector2f> places;        ///< vt lines
-    std::vector<Eigen::Vector2f> corner_places; ///< of the corners, (0, 0) where a face names none
+    std::vector<Eigen::Vector2f> corner_places; ///< of the corners; (0, 0) if a face names none
     std::vector<ObjMaterial> polygon_materials; ///< empty, or as long as polygon_ends
     ObjMaterial material;                       ///< of the next faces
     std::string unknown_material;               ///< the first that no file defines
@@ -194,7 +194,7 @@ void addVertices(const Model& model, const std::vector<Vec3f>* normals, Sink& si
     }
 }
 
-/// Plain colours of materials give way to those of vertices.
+/// Plain colours of materials are ignored if vertices have colours.
 void addPolygons(const Model& model, Sink& sink) {
     std::uint32_t begin = 0;
     for (std::size_t i = 0; i < model.polygon_ends.size(); ++i) {
@@ -211,7 +211,7 @@ void addPolygons(const Model& model, Sink& sink) {
     }
 }
 
-/// "v" or "vn" and a number: files may start with others.
+/// "v" or "vn" and a number; lines before may be others.
 bool isVertexLine(std::string_view line, bool) {
     const std::string_view word = nextWord(line);
     double value = 0;

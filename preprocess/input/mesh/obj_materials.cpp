@@ -10,7 +10,7 @@
 namespace pointrt {
 namespace {
 
-/// Limits of one model, whose lines may name the same files over and over.
+/// Limits for one model, whose lines may name the same files again and again.
 constexpr std::size_t kMostMaterials = 65536, kMostFiles = 256;
 
 /// "-s 1 1 1 -clamp on name.png": options and their values precede the name, which may have blanks.
@@ -28,7 +28,7 @@ std::string textureName(std::string_view rest) {
     return std::string(rest);
 }
 
-/// "0.8 0.4 0.2", sRGB as programs show it; false if it is no colour in numbers.
+/// "0.8 0.4 0.2", in sRGB, as programs display it; false if it is not a colour in numbers.
 bool takeColor(std::string_view rest, Rgb8& color) {
     for (std::uint8_t& channel : color) {
         double value = 0;

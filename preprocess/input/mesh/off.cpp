@@ -73,7 +73,7 @@ Vertex parseVertex(const InputFile& input, std::string_view line, std::size_t le
     return vertex;
 }
 
-/// Colours may follow a position whatever the keyword says: decided by the first vertex.
+/// Colours may follow a position whatever the keyword says; the first vertex decides.
 void detectColors(const InputFile& input, Lines lines, OffHeader& header) {
     std::string_view line;
     const std::size_t first = header.normals ? 6 : 3;
@@ -97,7 +97,8 @@ void readVertices(const InputFile& input, const OffHeader& header, Lines& lines,
     }
 }
 
-/// Three numbers or four after the corners of a face; one is an index into a map of colours, which is not read.
+/// The three or four numbers after the corners of a face; a single number is an index into a colour map, which is not
+/// read.
 std::optional<std::array<double, 3>> colorOfFace(std::string_view line) {
     std::array<double, 3> color{};
     for (double& value : color)
@@ -105,7 +106,8 @@ std::optional<std::array<double, 3>> colorOfFace(std::string_view line) {
     return color;
 }
 
-/// @param line after the corners. full: the largest value
+/// @param line the rest of the line after the corners
+/// @param full the largest value
 PolygonPaint faceColor(std::string_view line, double full) {
     PolygonPaint paint;
     const auto color = colorOfFace(line);
@@ -116,7 +118,7 @@ PolygonPaint faceColor(std::string_view line, double full) {
     return paint;
 }
 
-/// What a full colour of faces is: 1 if no value is larger, else 255.
+/// The value of a fully bright colour of faces: 1 if no value is larger, else 255.
 double fullFaceColor(std::uint64_t faces, Lines lines) {
     std::string_view line;
     for (std::uint64_t i = 0; i < faces && lines.next(line); ++i) {

@@ -20,7 +20,8 @@ const std::uint8_t* unsignedBytes(const InputFile& file) {
     return reinterpret_cast<const std::uint8_t*>(file.bytes.data());
 }
 
-/// PNG packs flat colours to a thousandth. Beyond a free size, files may have this many bytes of pixels for each byte.
+/// PNG packs flat colours to a thousandth. Above a free size, a file may have this many bytes of pixels for each of its
+/// bytes.
 constexpr std::uint64_t kFree = std::uint64_t{256} << 20, kPerByte = 192;
 
 /// Prepares the picture's pixels.
@@ -54,7 +55,7 @@ Picture readPng(const InputFile& file) {
     return picture;
 }
 
-/// libjpeg leaves through longjmp: between setjmp and there, no object may need its destructor.
+/// libjpeg leaves through longjmp, so no object between setjmp and there may need its destructor.
 struct JpegReader {
     jpeg_decompress_struct jpeg{};
     jpeg_error_mgr errors{};
@@ -89,7 +90,7 @@ struct JpegReader {
             JSAMPROW row = rgb + std::size_t{3} * jpeg.output_width * jpeg.output_scanline;
             jpeg_read_scanlines(&jpeg, &row, 1);
         }
-        return errors.num_warnings == 0; // a warning is an end before the end, or a damaged block
+        return errors.num_warnings == 0; // a warning means a premature end or a damaged block
     }
 };
 
@@ -113,7 +114,7 @@ Picture readWebp(const InputFile& file) {
     return picture;
 }
 
-/// Reads a file once, whatever names it has, and all files together within the limit of one.
+/// Reads a file only once, whatever names it has, and limits all files together to the limit of one.
 std::uint32_t takePicture(const InputFile& file, const std::string& key, MeshPaint& paint) {
     if (const auto known = paint.picture_of_file.find(key); known != paint.picture_of_file.end()) return known->second;
     Picture picture = readPicture(file);

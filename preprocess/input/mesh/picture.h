@@ -26,8 +26,8 @@ std::optional<std::uint32_t> addPicture(const InputFile& input, const InputFile&
 /// Adds a note that a texture cannot be read.
 void noteUnreadTexture(const InputFile& input, const Error& error, Sink& sink);
 
-/// Opens a file that an input names with the path as written on another machine, perhaps: the path itself if it lies
-/// in the input's folder, else its last part there, whatever the case of its letters. Nothing if no such file is there.
+/// Opens a file that an input names, perhaps with a path of another machine: the path itself if it lies in the input's
+/// folder, else a file there with its last part, in upper or lower case. Nothing if there is no such file.
 std::optional<InputFile> openBeside(const InputFile& input, std::string name);
 
 } // namespace pointrt

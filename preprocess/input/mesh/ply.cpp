@@ -135,11 +135,11 @@ struct ElementReader {
         }
     }
 
-    /// Reads what is there of a file that is salvaged.
+    /// Reads the complete elements of a truncated file that is salvaged.
     void readWhole() {
         try {
             read();
-        } catch (const PlyEnd&) { // the counts tell
+        } catch (const PlyEnd&) { // the counts show how many there are
         }
         const PlyElement& vertex = vertexElement(header);
         if (sink.vertexCount() < vertex.promised)
@@ -149,7 +149,7 @@ struct ElementReader {
                 sink.note(body.input, fmt::format("truncated: {} of {} faces are read", faces, element.promised));
     }
 
-    /// Whether the end of the file may cut a vertex's last number.
+    /// Whether the end of the file may cut off digits of a vertex's last number.
     bool isCut(const PlyElement& element, std::uint64_t index) const {
         return header.encoding == PlyEncoding::kAscii && body.values.at == body.input.end() &&
                index + 1 < element.promised;
@@ -202,7 +202,7 @@ bool isOfPoints(const InputFile& input) {
                         [&](const PlyElement& element) { return isRangeGrid(header, element); });
 }
 
-/// A header that promises less than the file holds is often wrong, not the rest: the user must know.
+/// If a header declares fewer elements than the file holds, the header is often wrong: the user must know.
 void noteRest(const InputFile& input, const PlyHeader& header, std::string_view rest, Sink& sink) {
     if (std::all_of(rest.begin(), rest.end(), isSpace)) return;
     const bool is_text = header.encoding == PlyEncoding::kAscii;

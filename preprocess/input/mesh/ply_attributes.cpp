@@ -51,7 +51,7 @@ void joinWideColors(PlyHeader& header, PlyElement& vertex, AttributeNames& names
     for (std::size_t i = 0; i < parts.size(); ++i) parts[i]->place = place + 2 * i;
 }
 
-/// A radius is that of a disc if there are normals and no faces.
+/// A radius means that of a disc if there are normals and no faces.
 void takeRadii(const PlyHeader& header, PlyElement& vertex) {
     std::vector<Dimension> dimensions;
     for (const PlyProperty& property : vertex.properties) dimensions.push_back(property.dimension);

@@ -64,7 +64,7 @@ struct PlyBytes {
     }
 };
 
-/// Thrown at the end of a file that is salvaged.
+/// Thrown at the end of a truncated file that is salvaged.
 struct PlyEnd {};
 
 /// Reads elements. Throws Error for a missing or malformed value.
@@ -108,7 +108,7 @@ struct PlyBody {
         if (values.at == input.end() && salvages) throw PlyEnd();
         if (values.at == input.end())
             refuse(input, fmt::format("truncated: found {} of {} {}{}", done, element.count, pluralOf(element),
-                                      done > 0 ? "; --salvage reads what is whole" : ""));
+                                      done > 0 ? "; --salvage reads the intact part" : ""));
         std::string_view rest(values.at, static_cast<std::size_t>(input.end() - values.at));
         refuseLine(input, values.at, fmt::format("{} is not a number", inQuotes(nextWord(rest))));
     }

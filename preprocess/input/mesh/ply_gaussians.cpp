@@ -43,9 +43,9 @@ constexpr std::string_view kRestPrefix = "f_rest_";
 
 /// The view-dependent colours of a file: f_rest_0, f_rest_1 ..., all of red, then green, then blue.
 struct RestLayout {
-    const PlyElement* element = nullptr; ///< that has them; null: none does
+    const PlyElement* element = nullptr; ///< the element with these properties; null: none
     std::size_t count = 0;               ///< of properties
-    int degree = 0;                      ///< that is read, 0 to 3
+    int degree = 0;                      ///< degree that is read, 0 to 3
 
     explicit RestLayout(const PlyHeader& header) {
         for (const PlyElement& each : header.elements) {
@@ -62,7 +62,7 @@ struct RestLayout {
     /// Some programs train with degree 4, of which the harmonics up to degree 3 are read.
     static constexpr int kHighestDegree = 4;
 
-    /// The names of all, if they are read.
+    /// Appends the names of all properties, if they are read.
     void addNames(std::vector<std::string>& names) const {
         for (std::size_t i = 0; degree > 0 && i < count; ++i) names.push_back(fmt::format("{}{}", kRestPrefix, i));
     }
@@ -253,7 +253,7 @@ public:
         for (; element != rest.element; ++element) body_.skipElement(*element);
     }
 
-    /// Eight units around 0 in bytes, of which the lowest and the highest are the ends.
+    /// Eight units on either side of 0, in bytes; the lowest and the highest byte stand for the ends.
     void read(std::uint64_t index, Gaussian& gaussian) {
         if (!wanted_) return;
         wanted_->read(body_, *rest_.element, index);
@@ -315,7 +315,7 @@ void checkPacked(const InputFile& input, const PlyElement& vertex) {
             refuse(input, fmt::format("{} must have type uint", inQuotes(property.name)));
 }
 
-/// Says which view-dependent colours are not read.
+/// Notes which view-dependent colours are not read.
 void noteRest(const InputFile& input, const RestLayout& rest, Sink& sink) {
     if (rest.count > 0 && rest.degree == 0)
         sink.note(input,

@@ -198,10 +198,10 @@ void checkPromises(const InputFile& input, bool salvages, PlyHeader& header) {
         if (element.count > left / size)
             refuse(input,
                    ascii ? fmt::format(
-                               "the header promises {} {}, but only {} bytes follow; --salvage reads what is whole",
+                               "the header promises {} {}, but only {} bytes follow; --salvage reads the intact part",
                                element.count, pluralOf(element), left - 1)
                          : fmt::format("truncated: found {} of {} {}{}", left / size, element.count, pluralOf(element),
-                                       left >= size ? "; --salvage reads what is whole" : ""));
+                                       left >= size ? "; --salvage reads the intact part" : ""));
         left -= element.count * size;
     }
 }

@@ -9,7 +9,7 @@
 namespace pointrt {
 namespace {
 
-/// What a full colour is in a type.
+/// The value of a fully bright colour in a type.
 double fullOf(Scalar type) { return isReal(type) ? 1 : type == Scalar::kU16 ? 65535 : 255; }
 
 const PlyProperty* scalarNamed(const PlyElement& element, std::initializer_list<std::string_view> names) {
@@ -53,7 +53,7 @@ void PlyPaint::take(const PlyProperty& property, double value) {
         color_[dimensionOfName(property.name) - kRed] = std::clamp(value / fullOf(property.type), 0.0, 1.0) * 255;
 }
 
-/// Those of the face, else those of its vertices.
+/// The places of the face's corners: its own, else those of its vertices.
 bool PlyPaint::placesOf(const std::vector<std::uint32_t>& corners) {
     places_.clear();
     if (!corners.empty() && coordinates_.size() == 2 * corners.size())

@@ -10,7 +10,7 @@
 
 namespace pointrt {
 
-/// Collects the values of one face after the other, and its vertices' places.
+/// Collects the values of one face after another, and the texture places of vertices.
 class PlyPaint {
 public:
     /// Reads the textures, with a note for each that is missing.
@@ -29,7 +29,7 @@ public:
     void beginFace();
     /// Whether a face's property is wanted: red, green, blue, texnumber, or the list texcoord.
     bool takes(const PlyProperty& property) const;
-    /// The value of such a property; of a list, one after the other.
+    /// Takes the value of such a property; for a list, called for each of its values.
     void take(const PlyProperty& property, double value);
     /// The colour of the face with these corners, valid until the next face.
     PolygonPaint paintOf(const std::vector<std::uint32_t>& corners);
@@ -38,7 +38,7 @@ private:
     bool placesOf(const std::vector<std::uint32_t>& corners);
 
     std::vector<std::optional<std::uint32_t>> textures_; ///< index into the sink's pictures
-    bool uses_colors_ = false;                           ///< of faces: vertices have none
+    bool uses_colors_ = false;                           ///< colours of faces are used, since vertices have none
     const PlyProperty *u_ = nullptr, *v_ = nullptr;      ///< of vertices
     Eigen::Vector2f place_ = Eigen::Vector2f::Zero();    ///< of the current vertex
     std::vector<Eigen::Vector2f> vertex_places_;

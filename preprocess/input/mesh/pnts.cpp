@@ -75,7 +75,7 @@ Vec3d threeNumbers(const JsonValue& value) {
     return vector;
 }
 
-/// From 16 bits each: shares of the edges of a box.
+/// Decodes 16 bits per coordinate, as fractions of the edges of a box.
 std::vector<float> decodePositions(const char* at, std::uint64_t points, const Vec3d& size) {
     constexpr double kSteps = 65535;
     std::vector<float> values(3 * points);
@@ -85,7 +85,7 @@ std::vector<float> decodePositions(const char* at, std::uint64_t points, const V
     return values;
 }
 
-/// Positions, and the pose with the corner of their box and the centre of the tile.
+/// The positions; and the pose with the corner of their box and the centre of the tile.
 FieldArray positionsOf(const JsonValue& root, PntsTable& table, Pose& pose) {
     if (const auto center = root.optionalMember("RTC_CENTER")) pose.translation = threeNumbers(*center);
     if (const auto value = root.optionalMember("POSITION")) return table.field(*value, "points", Scalar::kF32, 3, kX);
@@ -96,7 +96,7 @@ FieldArray positionsOf(const JsonValue& root, PntsTable& table, Pose& pose) {
     return table.decodedField("points", decodePositions(table.bytesAt(*value, 6), table.points, size), kX);
 }
 
-/// Red and blue of 5 bits, green of 6.
+/// Decodes red and blue of 5 bits, green of 6.
 std::vector<float> decodeRgb565(const char* at, std::uint64_t points) {
     std::vector<float> values;
     values.reserve(3 * points);
@@ -197,7 +197,7 @@ std::optional<InputFile> dracoPart(const InputFile& input, const JsonValue& root
     return InputFile{input.name, features.substr(at, size), input.owner, false};
 }
 
-/// Up is away from the centre of the earth if the points lie near its surface, as those of most tile sets do.
+/// Up is the direction away from the Earth's centre if the points lie near its surface, as in most tile sets.
 void setFrame(const InputFile& input, const Vec3d& center, Sink& sink) {
     constexpr double kLeastRadius = 6.3e6, kMostRadius = 6.4e6; // metres, of places on the ground
     if (center.norm() < kLeastRadius || center.norm() > kMostRadius) return;

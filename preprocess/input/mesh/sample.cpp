@@ -62,7 +62,7 @@ std::array<Vec3d, 3> cornerNormals(const Cloud& cloud, const Triangle& face) {
     Vec3d flat = faceNormal(cloud, face).stableNormalized();
     std::array<Vec3d, 3> normals;
     for (int i = 0; i < 3; ++i) normals[i] = cloud.normals[face[i]].cast<double>().stableNormalized();
-    // Files may give normals against the winding of their faces.
+    // Files may give normals that contradict the winding of their faces.
     if (flat.dot(normals[0] + normals[1] + normals[2]) < 0) flat = -flat;
     for (Vec3d& normal : normals)
         if (!(normal.dot(flat) >= kSharpEdgeCos)) normal = flat;
@@ -99,7 +99,7 @@ void addSample(const Cloud& mesh, const MeshPaint& paint, std::size_t index, con
         samples.colors.push_back(paint.has(index) ? paint.at(index, weights)
                                                   : Rgb8{rounded[0], rounded[1], rounded[2]});
     }
-    if (!mesh.radii.empty()) samples.radii.push_back(0); // a sample gets an estimated one
+    if (!mesh.radii.empty()) samples.radii.push_back(0); // gets an estimated radius later
     if (!mesh.sensor_of_point.empty()) samples.sensor_of_point.push_back(mesh.sensor_of_point[face[0]]);
     addAttributes(mesh, face, weights, samples);
 }

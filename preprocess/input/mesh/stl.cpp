@@ -32,7 +32,7 @@ bool isTextStl(std::string_view bytes) {
     return word == "facet" || word == "endsolid";
 }
 
-/// Triangles share the vertices at which they meet: the file repeats these for each of them.
+/// Triangles share the vertices at which they meet; the file repeats these for each triangle.
 class SharedVertices {
 public:
     explicit SharedVertices(Sink& sink) : sink_(sink) {}
@@ -59,7 +59,8 @@ private:
     std::unordered_map<std::string, std::uint32_t> index_;
 };
 
-/// Where the two bytes after a triangle hold its colour, if they do. Both have 5 bits for each of red, green and blue.
+/// How the two bytes after a triangle encode its colour, if they do. Both encodings have 5 bits for each of red, green
+/// and blue.
 enum class StlColors { kNone, kVisCam, kMagics };
 
 StlColors colorsOf(std::string_view bytes, std::uint64_t triangles) {

@@ -31,7 +31,7 @@ public:
         for (std::string_view line; nextLine(rest_, line);) {
             const std::string word = lowerCase(nextWord(line));
             if (word.empty()) continue;
-            if (word == "cell_data") break; // nothing of points follows
+            if (word == "cell_data") break; // nothing about points follows
             readSection(word, line);
         }
         if (!unread_.empty()) sink_.note(input_, "is read without its " + unread_);
@@ -76,7 +76,8 @@ private:
         piece_.positions = takeArray("points", typeOf(line), piece_.points, 3);
     }
 
-    /// Lists of indices, each after its length; since version 5.1 their ends and all indices, as two arrays.
+    /// Lists of indices, each preceded by its length; since version 5.1, two arrays of the lists' ends and of all
+    /// indices.
     void readCells(std::string_view line, bool are_polygons) {
         const std::uint64_t cells = count(line), values = count(line);
         std::string_view after = rest_, next;
@@ -113,7 +114,7 @@ private:
             if (word == name) return takeArray("", typeOf(line), values, 1);
             break;
         }
-        refuse(input_, fmt::format("has no {} where they belong", name));
+        refuse(input_, fmt::format("has no array {} where one must follow", name));
     }
 
     void skipCells(const std::string& word, std::string_view line) {

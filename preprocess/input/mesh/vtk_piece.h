@@ -18,7 +18,7 @@ struct VtkPiece {
     std::vector<FieldArray> fields;     ///< other arrays with a value for each point
     std::vector<std::uint32_t> corners; ///< of all polygons, one after the other
     std::vector<std::size_t> ends;      ///< of each polygon in `corners`
-    std::deque<std::string> owned;      ///< values of arrays that are not in the file as such
+    std::deque<std::string> owned;      ///< values of arrays that the file stores in another form
 };
 
 /// Appends a corner of a polygon. Throws Error if one is not the index of a point.
@@ -29,7 +29,7 @@ inline double valueAt(const FieldArray& array, std::uint64_t index) {
     return loadScalar(array.first + index * array.stride, array.type, array.swapped);
 }
 
-/// Parses numbers at the start of a text, and takes them from it. Throws Error if one is none.
+/// Parses numbers at the start of a text and removes them from it. Throws Error if one is malformed.
 std::string takeNumbers(const InputFile& input, std::string_view& text, Scalar type, std::uint64_t count);
 
 /// Adds the piece as a scan. Throws Error if it has no positions.

@@ -33,7 +33,7 @@ struct Tag {
     }
 };
 
-/// Takes the text up to the next tag, and that; comments and declarations are skipped.
+/// Takes the text up to the next tag, and the tag; skips comments and declarations.
 std::optional<Tag> nextTag(std::string_view& rest, std::string_view& text) {
     for (;;) {
         const std::size_t open = rest.find('<');
@@ -165,7 +165,8 @@ private:
         }
     }
 
-    /// The number of indices: an index takes at least two bytes of text, or compresses to a hundredth of its own.
+    /// Limit for the number of indices: an index takes at least two bytes of text, or compresses to a hundredth of its
+    /// size.
     std::uint64_t lastOffset() const {
         if (!offsets_ || polygons_ == 0) return 0;
         const double last = valueAt(*offsets_, polygons_ - 1);
@@ -174,7 +175,7 @@ private:
         return static_cast<std::uint64_t>(last);
     }
 
-    /// How many indices there are follows from the offsets, which come later in most files.
+    /// The number of indices follows from the offsets, which come later in most files.
     void readConnectivity(const Tag& tag) {
         if (offsets_) {
             connectivity_ = arrayOf(tag, indices_, 1);
@@ -184,7 +185,7 @@ private:
         pending_text_ = rest_;
     }
 
-    /// The values of an array; none if its type is not one of numbers.
+    /// The values of an array; none if its type is not numeric.
     std::optional<FieldArray> arrayOf(const Tag& tag, std::uint64_t tuples, std::uint64_t components) {
         std::optional<Scalar> type;
         for (const XmlType& each : kXmlTypes)
@@ -226,7 +227,7 @@ private:
     std::uint64_t polygons_ = 0, indices_ = 0;
     std::optional<FieldArray> connectivity_, offsets_;
     std::optional<Tag> pending_;    ///< the connectivity, until its length is known
-    std::string_view pending_text_; ///< what follows its tag
+    std::string_view pending_text_; ///< the text that follows its tag
 };
 
 } // namespace

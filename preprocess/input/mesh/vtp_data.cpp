@@ -20,8 +20,8 @@ int sixBits(char letter) {
     return letter == '+' ? 62 : letter == '/' ? 63 : -1;
 }
 
-/// Takes bytes from an array as it is stored. Base64 is decoded four letters at a time: a length and what follows may
-/// be encoded each by itself, with padding in between.
+/// Takes bytes from an array as it is stored. Base64 is decoded four letters at a time, since a length and the data
+/// after it may be encoded separately, with padding in between.
 class StoredBytes {
 public:
     StoredBytes(const InputFile& input, std::string_view stored, bool base64)
@@ -64,7 +64,7 @@ private:
     const InputFile& input_;
     std::string_view stored_;
     bool base64_;
-    std::string decoded_; ///< and not taken yet
+    std::string decoded_; ///< decoded, but not taken yet
 };
 
 std::uint64_t takeLength(StoredBytes& bytes, bool is_long) {
@@ -85,7 +85,8 @@ bool unpackBlock(const std::string& compressor, std::string_view packed, char* i
            done == size;
 }
 
-/// The number of blocks, the size of all but the last, that of the last or 0, and the packed size of each.
+/// The number of blocks, the size of all blocks but the last, the size of the last one or 0, and the packed size of
+/// each.
 std::string unpackBlocks(const InputFile& input, const VtpEncoding& encoding, StoredBytes& bytes, std::uint64_t size) {
     const std::uint64_t blocks = takeLength(bytes, encoding.long_lengths),
                         block_size = takeLength(bytes, encoding.long_lengths),

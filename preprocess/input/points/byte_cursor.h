@@ -31,15 +31,15 @@ struct ByteCursor {
         std::memcpy(&value, takeBytes(sizeof value).data(), sizeof value);
         return value;
     }
-    /// Up to the mark, which is skipped.
+    /// The bytes up to the mark, which is skipped.
     std::string_view takeUntil(char mark) {
         const std::size_t length = rest.find(mark);
-        if (length == std::string_view::npos) refuse(input, "truncated: it ends within a text");
+        if (length == std::string_view::npos) refuse(input, "truncated: it ends within a string");
         const std::string_view text = takeBytes(length);
         rest.remove_prefix(1);
         return text;
     }
-    /// A length of 32 bits and as many bytes.
+    /// A length of 32 bits, followed by that many bytes.
     std::string_view takeText() { return takeBytes(take<std::uint32_t>()); }
 };
 

@@ -85,7 +85,7 @@ ColmapPoint textPoint(const InputFile& input, std::string_view line) {
     return point;
 }
 
-/// Calls use(point) for each point. Returns the number of points that the file promises.
+/// Calls use(point) for each point. Returns the number of points that the file declares.
 template <typename Use>
 std::uint64_t forEachPoint(const InputFile& input, bool salvages, const Use& use) {
     if (!isBinaryModel(input.bytes) && input.bytes.starts_with(kTextMark)) {
@@ -124,7 +124,7 @@ ColmapImages imagesBeside(const InputFile& input, Sink& sink) {
     return {};
 }
 
-/// Points grouped by the first camera that saw them, which is the station of their scan.
+/// Points grouped by the first camera that saw them, which serves as the station of their scan.
 using PointsOfImage = std::map<std::uint32_t, std::vector<ColmapPoint>>;
 constexpr std::uint32_t kNoImage = ~std::uint32_t{0};
 
@@ -147,7 +147,7 @@ void addScan(const InputFile& input, const ColmapImages& images, std::uint32_t i
     sink.finishScan(input, image == images.end() ? "" : image->second.name, Emptiness::kAllowed);
 }
 
-/// count: of the points of all scans, whose progress is reported as one
+/// count: number of points of all scans, which share one progress
 void addScans(const InputFile& input, const ColmapImages& images, const PointsOfImage& scans, std::uint64_t count,
               Sink& sink) {
     const auto progress = std::exchange(sink.progress, nullptr);
@@ -160,9 +160,10 @@ void addScans(const InputFile& input, const ColmapImages& images, const PointsOf
     sink.progress = progress;
 }
 
-/// Up in most photographs, if they agree.
+/// The up direction of most photographs, if they agree.
 Vec3d upOf(const ColmapImages& images) {
-    constexpr double kAgreement = 0.5; // of the mean of unit vectors; photographs taken all around have none
+    // length of the mean of unit vectors; photographs taken all around have a shorter one
+    constexpr double kAgreement = 0.5;
     Vec3d sum = Vec3d::Zero();
     for (const auto& [id, image] : images) sum += image.up;
     const bool agrees = !images.empty() && sum.norm() > kAgreement * static_cast<double>(images.size());

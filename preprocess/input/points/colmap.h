@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Files by which a folder is a COLMAP model.
+// Names of files that make a folder a COLMAP model.
 #pragma once
 
 #include <string_view>

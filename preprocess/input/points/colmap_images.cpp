@@ -10,7 +10,7 @@
 namespace pointrt {
 namespace {
 
-/// pose: quaternion w x y z of the turn from the world to the camera, whose y is down, then its translation
+/// pose: quaternion w x y z of the rotation from world to camera, whose y is down, then the translation
 ColmapImage imageOf(const std::array<double, 7>& pose, std::string name) {
     ColmapImage image;
     image.name = std::move(name);
@@ -42,7 +42,7 @@ ColmapImages readBinaryImages(const InputFile& input) {
     return images;
 }
 
-/// Two lines for each image: its pose, and its points, which may be none.
+/// Two lines for each image: its pose, and its 2D points, which may be none.
 ColmapImages readTextImages(const InputFile& input) {
     ColmapImages images;
     std::string_view rest = input.bytes, line;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Photographs of a COLMAP model: where their cameras stood.
+// Photographs of a COLMAP model: the positions of their cameras.
 #pragma once
 
 #include <string>

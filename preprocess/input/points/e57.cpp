@@ -18,7 +18,8 @@ namespace {
 
 /// Points read at once: about 20 columns of 8 bytes fit in a core's cache.
 constexpr std::size_t kBatch = 4096;
-/// At once from a file that is salvaged: a batch is lost whole. A page of 1 KiB holds some 30 points.
+/// The same for a file that is salvaged, where a damaged batch is lost as a whole. A page of 1 KiB holds some 30
+/// points.
 constexpr std::size_t kSalvageBatch = 16;
 
 /// Counts over all scans of a file, for notes.
@@ -31,7 +32,7 @@ struct ScanCounts {
 struct Batch {
     const E57Scan& scan;
     const E57Plan& plan;
-    std::vector<std::vector<std::int64_t>> raw; ///< [columns], if used; 8 bytes per number hold every kind
+    std::vector<std::vector<std::int64_t>> raw; ///< [columns], for those in use; 8 bytes per number can hold every kind
     std::vector<void*> columns;
 
     Batch(const E57Scan& of_scan, const E57Plan& by_plan) : scan(of_scan), plan(by_plan), raw(scan.columns.size()) {
@@ -209,7 +210,7 @@ struct ScanStream {
     E57Points points;
     ReleasePagesBehind release_pages;
     bool salvages;
-    std::string fault; ///< that ended a scan to be salvaged
+    std::string fault; ///< the error that ended a scan which is salvaged
 
     ScanStream(const InputFile& input, const E57File& file, std::size_t number, bool does_salvage)
         : points(e57Points(file, number)), release_pages{input}, salvages(does_salvage) {}
@@ -258,8 +259,8 @@ struct GridFrame {
         return 1 + static_cast<std::uint64_t>(last_column) - static_cast<std::uint64_t>(first_column);
     }
 
-    /// Whether at least one of kCellsPerPoint cells has a point, as in a part of a street cut from a scanner's sphere.
-    /// Bounds memory by the size of the file.
+    /// Whether at least one in kCellsPerPoint cells has a point; few do, for example, in a part of a street cut from a
+    /// scanner's sphere. Bounds memory by the size of the file.
     bool fits(std::uint64_t points) const {
         constexpr std::uint64_t kCellsPerPoint = 16;
         std::uint64_t cells = 0;
@@ -320,7 +321,7 @@ struct GridFiller {
     }
 };
 
-/// Other scans of the file may be whole.
+/// Notes the fault; other scans of the file may be complete.
 void noteFault(const InputFile& input, const std::string& title, const std::string& fault, std::uint64_t found,
                std::uint64_t promised, Sink& sink) {
     sink.note(input, fmt::format("{}: {}: {} of {} points are read", title, fault, found, promised));
@@ -339,7 +340,7 @@ void readScan(const InputFile& input, const E57File& file, std::size_t number, s
     sink.transform.input_from_scan = pose;
     sink.beginScan(input, plan.traits);
     if (isScannerFrame(scan, plan, pose)) sink.setScanSensor(Vec3d::Zero());
-    sink.reserve(room); // arrays that grow scan by scan leave holes in memory, and are copied over and over
+    sink.reserve(room); // arrays that grow scan by scan would leave holes in memory and be copied again and again
     Batch batch(scan, plan);
     BatchReader reader(batch, counts);
     const GridFiller grid = naming(input, title, [&] { return GridFiller(input, file, number, sink); });
@@ -347,7 +348,7 @@ void readScan(const InputFile& input, const E57File& file, std::size_t number, s
         try {
             return stream.read(batch.columns);
         } catch (const Error& error) {
-            throw Error(error.code, fmt::format("{}; {} of its {} points before it are whole: --salvage reads these",
+            throw Error(error.code, fmt::format("{}; {} of its {} points before it are intact: --salvage reads these",
                                                 error.what(), sink.vertexCount(), scan.points));
         }
     };

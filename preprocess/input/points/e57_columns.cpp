@@ -18,7 +18,7 @@ constexpr std::size_t kLongestName = 31; // of an attribute in a .pro
 struct KnownName {
     std::string_view column, attribute;
     std::string_view invalid = ""; ///< the column that marks invalid values
-    bool untyped = false;          ///< indices, whose limits are those of the grid
+    bool untyped = false;          ///< grid indices: their limits are those of the grid
 };
 
 constexpr KnownName kKnown[] = {
@@ -30,7 +30,7 @@ constexpr KnownName kKnown[] = {
     {"timeStamp", "time_stamp", "isTimeStampInvalid"},
 };
 
-/// Columns that qualify others or are read with them.
+/// Columns that qualify others or are read together with them.
 constexpr std::string_view kNoAttributes[] = {
     "cartesianX",         "cartesianY",        "cartesianZ",         "cartesianInvalidState",
     "sphericalRange",     "sphericalAzimuth",  "sphericalElevation", "sphericalInvalidState",
@@ -161,7 +161,7 @@ void planPositions(E57Plan& plan, const E57Scan& scan) {
     plan.spherical = findThree(scan, find, "sphericalRange", "sphericalAzimuth", "sphericalElevation");
     if (!plan.cartesian && !plan.spherical) throw Error(ExitCode::kBadInput, "has no coordinates");
     if (plan.cartesian) plan.cartesian_invalid = find(scan, "cartesianInvalidState");
-    // if a point has both kinds, the cartesian ones are used unless invalid
+    // if a point has both kinds, the cartesian ones are used unless they are invalid
     if (plan.cartesian && !plan.cartesian_invalid) plan.spherical.reset();
     if (plan.spherical) plan.spherical_invalid = find(scan, "sphericalInvalidState");
 }

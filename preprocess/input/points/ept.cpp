@@ -119,7 +119,8 @@ void readLazNodes(const InputFile& input, const JsonValue& root, Sink& sink) {
             sink.beginScan(input, lasTraits(file, fields, 0));
             begun = true;
         }
-        if (!haveSameFields(fields, first_fields)) refuse(part, "has other attributes than the nodes before");
+        if (!haveSameFields(fields, first_fields))
+            refuse(part, "has attributes that differ from those of earlier nodes");
         const std::vector<LazChunk> chunks = allLasChunks(file, layout);
         addLasPoints(part, {file, fields, std::move(layout), chunks}, sink);
     }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Nodes of Entwine Point Tiles whose points are bare records, as the schema describes them.
+// Nodes of Entwine Point Tiles whose points are bare records that the schema describes.
 #pragma once
 
 #include <deque>
@@ -16,7 +16,7 @@ public:
     EptRecords(const InputFile& input, const JsonValue& schema);
 
     /// Adds the points of a node to the current scan, which the first node begins.
-    /// @param bytes its records
+    /// @param bytes the records of the node
     void add(const InputFile& part, std::string_view bytes, Sink& sink);
 
     std::size_t recordBytes() const { return record_bytes_; }

@@ -16,13 +16,13 @@ struct GridHeader {
     std::uint64_t columns = 0, rows = 0;
     double x = 0, y = 0;          ///< centre of the lower left cell
     double width = 0, height = 0; ///< of a cell
-    double no_data = -9999;       ///< what ESRI says if the header does not
+    double no_data = -9999;       ///< the value that ESRI specifies if the header does not
     std::string_view body;
 
     double cells() const { return static_cast<double>(columns) * static_cast<double>(rows); }
 };
 
-/// Numbers with a decimal point, or a comma where programs write in the language of the country.
+/// Parses numbers with a decimal point, or with a comma, as programs write it in some languages.
 bool gridNumber(std::string_view word, double& value) {
     return wholeNumber(word, value) || styledNumber(word, {.decimal = ','}, value);
 }
@@ -60,9 +60,10 @@ GridHeader readGridHeader(const InputFile& input, bool salvages) {
     // A cell takes two bytes, a digit and a blank; the last needs no blank.
     if (header.cells() < 1 || header.cells() > 1e18 ||
         (!salvages && header.cells() > static_cast<double>(header.body.size() + 1) / 2))
-        refuse(input,
-               fmt::format("the header promises {} x {} cells, but only {} bytes follow; --salvage reads what is whole",
-                           header.columns, header.rows, header.body.size()));
+        refuse(
+            input,
+            fmt::format("the header promises {} x {} cells, but only {} bytes follow; --salvage reads the intact part",
+                        header.columns, header.rows, header.body.size()));
     if (corner_x) header.x += header.width / 2;
     if (corner_y) header.y += header.height / 2;
     return header;

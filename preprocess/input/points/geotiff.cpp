@@ -43,7 +43,7 @@ std::optional<Scalar> sampleType(std::uint32_t format, std::uint32_t bits) {
     return std::nullopt;
 }
 
-/// Whether pixels are points, at whole numbers of the raster space, rather than areas, whose corners are.
+/// Whether pixels are points at whole numbers of the raster space; otherwise they are areas, whose corners are there.
 bool arePoints(const std::vector<std::uint16_t>& keys) {
     constexpr std::uint16_t kRasterType = 1025, kPoint = 2;
     for (std::size_t at = 4; at + 4 <= keys.size(); at += 4)
@@ -94,7 +94,7 @@ HeightImage readImageHeader(const InputFile& input, const TiffFile& tiff) {
     double no_data = 0;
     if (const std::string text = tiff.text(kGdalNoData); wholeNumber(text, no_data)) image.no_data = no_data;
     image.crs = crsOfTiff(tiff);
-    // Flat ground compresses a hundred times; a damaged header must not promise more.
+    // Flat ground compresses a hundredfold; a damaged header must not declare a higher ratio.
     constexpr std::uint64_t kCellsAtLeast = 1 << 22, kCellsPerByte = 100;
     const std::uint64_t cells = std::uint64_t{image.columns} * image.rows;
     if (cells == 0 || cells > kCellsAtLeast + kCellsPerByte * input.bytes.size())

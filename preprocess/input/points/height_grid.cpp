@@ -9,7 +9,7 @@ void finishHeights(const InputFile& input, std::uint64_t missing, std::uint64_t 
     if (missing > 0) sink.note(input, fmt::format("{} of {} cells have no data and are left out", missing, cells));
     sink.finishScan(input);
     frame.up = Vec3d::UnitZ();
-    frame.from_above = true; // heights show surfaces from above, whatever measured them
+    frame.from_above = true; // heights show surfaces from above, however they were measured
     sink.setWorldFrame(input, std::move(frame));
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What grids of heights have in common, whatever their format.
+// Shared by the readers of height grids, whatever their format.
 #pragma once
 
 #include <cstdint>

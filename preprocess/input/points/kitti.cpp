@@ -43,7 +43,7 @@ bool isFrame(std::string_view bytes, std::size_t floats) {
     return 2 * away > std::min(points, kTested) && isFramePoint(framePoint(bytes, points - 1, floats), floats);
 }
 
-/// Floats of a point; 0 if the bytes are no frame.
+/// Number of floats of a point; 0 if the bytes are not a frame.
 std::size_t floatsOf(std::string_view bytes) {
     for (const std::size_t floats : {kKittiFloats, kNuScenesFloats})
         if (isFrame(bytes, floats)) return floats;

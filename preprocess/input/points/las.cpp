@@ -43,7 +43,7 @@ ScanTraits lasTraits(const LasFile& file, const std::vector<LasField>& fields, s
         traits.colors = true;
         traits.color_scale = ColorScale::k16Bit;
     }
-    // A few bytes of a LAZ file may promise any number of points: reserve no more than its size makes plausible.
+    // A few bytes of a LAZ file may declare any number of points: reserve no more than is plausible for its size.
     const std::uint64_t plausible = file.bytes.size() - file.header.point_offset;
     traits.vertices = std::min(points, plausible);
     return traits;
@@ -51,7 +51,7 @@ ScanTraits lasTraits(const LasFile& file, const std::vector<LasField>& fields, s
 
 namespace {
 
-/// Leaves the beginning of each chunk. Points unpack one after the other, so that what follows it takes no time.
+/// Keeps the beginning of each chunk. Points are unpacked one after the other, so the rest of the chunk takes no time.
 void skimChunks(std::vector<LazChunk>& chunks, double share) {
     for (LazChunk& chunk : chunks)
         chunk.points = static_cast<std::uint64_t>(std::ceil(share * static_cast<double>(chunk.points)));
@@ -66,8 +66,8 @@ std::vector<LazChunk> chunksOf(const InputFile& input, const LasFile& file, cons
     return chunks;
 }
 
-/// Airborne scans see every surface from above. A box this much wider than high, and this wide in metres, was hardly
-/// scanned otherwise.
+/// Airborne scans see every surface from above. A scan whose box is this much wider than high, and this wide in metres,
+/// is taken to be airborne.
 bool isAirborne(const Sink& sink, const LasCrs& crs) {
     constexpr double kFlat = 2, kWide = 50;
     const ScanBox box = sink.lastScanBox();
@@ -113,7 +113,7 @@ std::uint64_t pointsIn(const std::vector<LazChunk>& chunks) {
 }
 
 std::string salvageHint(std::uint64_t whole, std::uint64_t promised) {
-    return whole > 0 ? fmt::format("; {} of {} points are whole: --salvage reads these", whole, promised) : "";
+    return whole > 0 ? fmt::format("; {} of {} points are intact: --salvage reads these", whole, promised) : "";
 }
 
 } // namespace
@@ -156,8 +156,8 @@ std::vector<LazChunk> allLasChunks(const LasFile& file, const LazLayout& layout)
 
 namespace {
 
-/// Whether size and bounds contradict the header of uncompressed points: line ends that a transfer changed shift all
-/// bytes behind them. A header may be sloppy about one of them.
+/// Whether both size and bounds contradict the header of uncompressed points: a transfer that converted line ends
+/// shifts all bytes behind them. If only one contradicts it, the header may just be wrong.
 bool isBeyondHeader(const LasFile& file, const Sink& sink) {
     const LasHeader& header = file.header;
     const std::uint64_t end = header.point_offset + header.point_count * header.record_bytes;
@@ -165,7 +165,8 @@ bool isBeyondHeader(const LasFile& file, const Sink& sink) {
     if (header.packed || fits || sink.transform.world_from_input) return false;
     constexpr std::size_t kMaxX = 179; // then min x, max y, min y, max z, min z
     const ScanBox box = sink.lastScanBox();
-    // Any bytes as coordinates: no scan needs more than half of what 32 bits can tell, along all axes
+    // coordinates decoded from arbitrary bytes: no valid scan uses more than half of the range of 32 bits along all
+    // axes
     constexpr double kHalfOfAll = 2147483648.0;
     if ((box.size.array() > kHalfOfAll * Eigen::Map<const Eigen::Array3d>(header.scale.data()).abs()).all())
         return true;
@@ -200,7 +201,7 @@ void readLas(const InputFile& input, Sink& sink) {
     const LasCrs crs = lasCrs(file);
     setLasFrame(crs, input, sink);
     const bool will_be_scaled =
-        sink.scales_degrees && crs.kind == LasCrs::Kind::kGeographic; // after all files are read
+        sink.scales_degrees && crs.kind == LasCrs::Kind::kGeographic; // once all files have been read
     if (is_first) sink.cloud.source_header = lasSourceHeader(file, sink.transform.world_from_input || will_be_scaled);
     for (const std::string& note : file.notes) sink.note(input, note);
 }

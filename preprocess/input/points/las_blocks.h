@@ -15,7 +15,7 @@ namespace pointrt {
 struct LasBlock {
     std::vector<Vec3d> positions;
     std::vector<std::vector<char>> values; ///< [fields], in the fields' order
-    std::uint64_t done_bytes = 0;          ///< leading bytes of the file that are not needed any more
+    std::uint64_t done_bytes = 0;          ///< number of leading bytes of the file that are no longer needed
 };
 
 /// What to read from a file.
@@ -27,8 +27,8 @@ struct LasPlan {
 };
 
 /// Calls use for blocks of at most about 64 Ki points, or for each chunk of a LAZ file of up to 8 MiB. Takes less than
-/// 64 MiB whatever the file says. Throws Error (kBadInput, without the file's name) for the first invalid compressed
-/// points in the file, and whatever use throws.
+/// 64 MiB whatever the file contains. Throws Error (kBadInput, without the file's name) for the first invalid
+/// compressed points in the file, and whatever use throws.
 void forLasBlocks(const LasPlan& plan, const std::function<void(const LasBlock&)>& use);
 
 /// Decodes records.

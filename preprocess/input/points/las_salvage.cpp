@@ -10,7 +10,7 @@
 namespace pointrt {
 namespace {
 
-/// The box that the header states, by axis: low, high.
+/// The box that the header states: low and high for each axis.
 std::array<std::array<double, 2>, 3> boundsOf(const LasFile& file) {
     constexpr std::size_t kMaxX = 179; // then min x, max y, min y, max z, min z
     std::array<std::array<double, 2>, 3> bounds{};
@@ -23,7 +23,7 @@ std::array<std::array<double, 2>, 3> boundsOf(const LasFile& file) {
 bool isWithinBounds(const LasFile& file, const char* record) {
     const auto bounds = boundsOf(file);
     for (std::size_t axis = 0; axis < 3; ++axis) {
-        if (!(bounds[axis][0] < bounds[axis][1])) continue; // not filled in
+        if (!(bounds[axis][0] < bounds[axis][1])) continue; // was not filled in
         std::int32_t whole = 0;
         std::memcpy(&whole, record + axis * sizeof whole, sizeof whole);
         const double value = file.header.offset[axis] + file.header.scale[axis] * whole;

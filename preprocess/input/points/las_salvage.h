@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The whole points of LAZ files that are damaged or cut short.
+// Recovers the complete points of LAZ files that are damaged or truncated.
 #pragma once
 
 #include <functional>
@@ -14,8 +14,9 @@ struct SalvagedLas {
     std::string fault; ///< of the first chunk that is not whole; "" if all are
 };
 
-/// Decompresses point by point and calls use for blocks of those before the first malformed one of each chunk. Points
-/// right before it that are outside the header's bounds are left out: bytes beyond the last point decode to anything.
+/// Decompresses point by point and calls use for blocks of those before the first malformed one of each chunk. Leaves
+/// out points right before it that are outside the header's bounds, as bytes beyond the last point decode to arbitrary
+/// values.
 SalvagedLas salvageLas(const LasPlan& plan, const std::function<void(const LasBlock&)>& use);
 
 } // namespace pointrt

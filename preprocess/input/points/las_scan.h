@@ -19,8 +19,8 @@ std::vector<LazChunk> allLasChunks(const LasFile& file, const LazLayout& layout)
 /// @param points that will be read
 ScanTraits lasTraits(const LasFile& file, const std::vector<LasField>& fields, std::uint64_t points);
 
-/// Adds the points to the current scan. If some are malformed, throws Error that says how many are whole, or adds these
-/// if the sink salvages.
+/// Adds the points to the current scan. If some are malformed, throws Error with the number of valid points, or adds
+/// those if the sink salvages.
 void addLasPoints(const InputFile& input, LasPlan plan, Sink& sink);
 
 /// Sets the frame of the scan finished last. Up is z in all coordinate systems of LAS files but geocentric ones.

@@ -66,7 +66,7 @@ private:
             const auto size = cursor.take<std::uint64_t>();
             if (size > cursor.rest.size()) return clouds_.cutShort();
             ByteCursor record{input_, cursor.takeBytes(size)};
-            if (kind == kDataEnd || kind == kFooter) return; // what follows repeats schemas and channels
+            if (kind == kDataEnd || kind == kFooter) return; // the rest of the file repeats schemas and channels
             readRecord(kind, record, in_chunk);
         }
     }

@@ -32,10 +32,10 @@ struct NpyTable {
     }
 };
 
-/// Columns beyond these are features of a network, rather than values of points.
+/// Further columns are features for a neural network rather than values of points.
 constexpr std::uint64_t kMostNpyColumns = 64;
 
-/// A table of at least three columns; none if the shape is not one of points. Rows come first, in any number of
+/// A table of at least three columns; none if the shape does not fit points. Rows come first, in any number of
 /// dimensions (a picture of points, a batch of clouds), unless there are few of them and many columns.
 std::optional<NpyTable> tableOf(const NpyArray& array) {
     const std::vector<std::uint64_t>& shape = array.shape;
@@ -45,7 +45,7 @@ std::optional<NpyTable> tableOf(const NpyArray& array) {
     table.columns = turned ? shape[0] : shape.back();
     table.rows = array.elements / table.columns;
     if (table.columns < 3 || table.columns > kMostNpyColumns) return std::nullopt;
-    // a transposed array in the order of Fortran, or a table in that of C, has a point's values side by side
+    // a transposed array in Fortran order, or a table in C order, stores a point's values side by side
     const bool by_point = turned == array.fortran_order;
     if (!by_point && shape.size() > 2) return std::nullopt; // the rows are not evenly spaced
     table.column = array.fields.front();
@@ -58,10 +58,10 @@ std::optional<NpyTable> tableOf(const NpyArray& array) {
 
 enum class Triple { kNormals, kColors, kOther };
 
-/// What three columns hold: unit vectors, colours in [0, 1] or [0, 255], or something else.
+/// The content of three columns: unit vectors, colours in [0, 1] or [0, 255], or something else.
 Triple tripleAt(const NpyTable& table, std::uint64_t first) {
     constexpr std::uint64_t kTested = 4096;
-    constexpr double kUnit = 1e-3; // of half floats and rounded texts
+    constexpr double kUnit = 1e-3; // tolerance for half floats and rounded texts
     const std::uint64_t tested = std::min(table.present, kTested),
                         every = std::max<std::uint64_t>(1, table.present / kTested);
     std::uint64_t units = 0, colors = 0, set = 0;
@@ -162,7 +162,7 @@ std::vector<NamedArray> arraysOf(const InputFile& input, Sink& sink) {
         NamedArray array{std::string(member.name.substr(0, member.name.size() - 4)), openZipMember(input, member), {}};
         try {
             array.array = readNpyHeader(array.file);
-        } catch (const Error& error) { // texts and objects beside the points
+        } catch (const Error& error) { // other arrays are texts and objects
             sink.note(input, fmt::format("array {} is not read: {}", inQuotes(array.name), error.what()));
             continue;
         }
@@ -191,7 +191,7 @@ std::optional<FieldArray> fieldFor(const NamedArray& each, std::uint64_t points)
     return table->at(0, each.name, kIgnored, static_cast<std::uint32_t>(table->columns));
 }
 
-/// The number of points: of the array with a telling name, or of x.
+/// The number of points: that of the array with a telling name, or of x.
 std::uint64_t pointsOf(const std::vector<NamedArray>& arrays) {
     for (const NamedArray& each : arrays) {
         const auto table = each.array.isPlain() ? tableOf(each.array) : std::nullopt;
@@ -205,7 +205,7 @@ std::uint64_t pointsOf(const std::vector<NamedArray>& arrays) {
     return 0;
 }
 
-/// The only array that can be points, or one of records.
+/// The only array that can hold points, or one of records.
 const NamedArray* soleArray(const std::vector<NamedArray>& arrays) {
     const NamedArray* sole = nullptr;
     for (const NamedArray& each : arrays) {

@@ -64,14 +64,14 @@ void addField(const InputFile& input, const NpyField& header, std::vector<FieldA
         refuse(input, fmt::format("field {} has {} components", inQuotes(header.name), components));
     if (type.scalar) {
         FieldArray field = denseField(header.name, *type.scalar, static_cast<std::uint32_t>(components), nullptr);
-        field.stride = size; // the offset, until the place of the elements is known
+        field.stride = size; // temporarily its offset, until the place of the elements is known
         field.swapped = type.swapped;
         fields.push_back(std::move(field));
     }
     size += type.size * components;
 }
 
-/// The text of the header; `data` is what follows.
+/// Sets header text; `data` receives the bytes that follow.
 std::string_view headerText(const InputFile& input, std::string_view& data) {
     constexpr std::size_t kVersionAt = 6, kLengthAt = 8;
     if (!isNpy(input.bytes) || input.bytes.size() < 12) refuse(input, "is not a NumPy array, or is truncated");

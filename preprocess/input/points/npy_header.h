@@ -17,7 +17,7 @@ struct NpyArray {
     std::vector<std::uint64_t> shape;
     bool fortran_order = false; ///< the first index varies fastest
     std::uint64_t elements = 0; ///< of the shape
-    std::uint64_t present = 0;  ///< of them, as many as the file holds
+    std::uint64_t present = 0;  ///< number of them that the file holds
 
     bool isPlain() const { return fields.size() == 1 && fields.front().name.empty(); }
 };

@@ -11,7 +11,7 @@ inline constexpr std::string_view kEptMeta = "ept.json", kPotreeMeta = "metadata
 bool isEptMeta(std::string_view text);
 bool isPotreeMeta(std::string_view text);
 
-/// Whether to read a node: it is no finer than the sink's level, and its box, in the file's coordinates, meets the
+/// Whether to read a node: it is no finer than the sink's level, and its box, in the file's coordinates, overlaps the
 /// bounds of the sink's filter.
 bool selectsNode(const Sink& sink, int level, const Eigen::AlignedBox3d& box);
 

@@ -20,7 +20,8 @@ std::uint32_t packedColor(std::string_view word, char type, double value) {
     return static_cast<std::uint32_t>(static_cast<std::int64_t>(value));
 }
 
-/// Reads one number of a field. Returns false if the word is not a number; clears exact if the type cannot hold it.
+/// Reads one number of a field. Returns false if the word is not a number; sets exact to false if the type cannot hold
+/// the number.
 bool readWord(const PcdField& field, std::uint64_t component, std::string_view word, Row& row, char* packed,
               bool& exact) {
     if (field.place) {
@@ -58,7 +59,8 @@ void readAscii(const InputFile& input, const PcdHeader& header, Sink& sink) {
     bool exact = true;
     for (std::uint64_t i = 0; i < header.points; ++i) {
         if (!readAsciiPoint(input, header, rest, row, packed.data(), exact) ||
-            (rest.empty() && sink.salvages && i + 1 < header.points)) { // the end may cut the last number
+            // the end of the file may cut off digits of the last number
+            (rest.empty() && sink.salvages && i + 1 < header.points)) {
             sink.acceptShort(input, i, header.points);
             break;
         }
@@ -86,7 +88,7 @@ std::vector<FieldBytes> layOut(const PcdHeader& header, const char* bytes) {
     return all;
 }
 
-/// points: to read, at most as many as the header has
+/// points: number to read, at most that of the header
 void readBytes(const PcdHeader& header, const char* bytes, std::uint64_t points, Sink& sink) {
     const std::vector<FieldBytes> fields = layOut(header, bytes);
     Row row{};
@@ -105,7 +107,7 @@ void readBytes(const PcdHeader& header, const char* bytes, std::uint64_t points,
     }
 }
 
-/// Points whose values of all fields lie within the first bytes of the fields' columns.
+/// Number of points whose values of all fields lie within the first bytes of the fields' columns.
 std::uint64_t wholePoints(const PcdHeader& header, const std::string& bytes) {
     std::uint64_t points = header.points;
     for (const FieldBytes& field : layOut(header, bytes.data())) {
@@ -115,7 +117,7 @@ std::uint64_t wholePoints(const PcdHeader& header, const std::string& bytes) {
     return points;
 }
 
-/// @param points receives the number of points that are there
+/// Returns the uncompressed values. @param points receives the number of complete points
 std::string unpackBody(const InputFile& input, const PcdHeader& header, Sink& sink, std::uint64_t& points) {
     // Two 32-bit sizes: of the compressed and of the uncompressed bytes.
     if (header.body.size() < 8) refuse(input, "truncated: the sizes of the compressed data are missing");
@@ -137,7 +139,7 @@ std::string unpackBody(const InputFile& input, const PcdHeader& header, Sink& si
     return bytes;
 }
 
-/// Returns the number of points that are there.
+/// Returns the number of points in the file.
 std::uint64_t checkBodySize(const InputFile& input, const PcdHeader& header, Sink& sink) {
     const std::uint64_t room = header.body.size() / header.point_size;
     if (header.data == PcdData::kBinary && header.points > room) {
@@ -150,12 +152,12 @@ std::uint64_t checkBodySize(const InputFile& input, const PcdHeader& header, Sin
     const bool ascii = header.data == PcdData::kAscii && !sink.salvages;
     if (ascii && header.points > (header.body.size() + 1) / (2 * values))
         refuse(input,
-               fmt::format("the header promises {} points, but only {} bytes follow; --salvage reads what is whole",
+               fmt::format("the header promises {} points, but only {} bytes follow; --salvage reads the intact part",
                            header.points, header.body.size()));
     return header.points;
 }
 
-/// points: that are there, if they are compressed
+/// points: number of unpacked points, if they are compressed
 ScanTraits traitsOf(const PcdHeader& header, std::uint64_t points) {
     ScanTraits traits;
     traits.vertices =
@@ -192,7 +194,7 @@ void readPcd(const InputFile& input, Sink& sink) {
     sink.beginScan(input, traitsOf(header, points));
     sink.setScanSensor(header.sensor);
     const std::uint64_t bytes = std::max(unpacked.size(), header.body.size());
-    if (header.points <= bytes) // cells take no more memory than the file or what it unpacks to
+    if (header.points <= bytes) // cells then take no more memory than the file or its unpacked data
         beginGrid(sink, header.grid_rows, header.grid_columns);
     if (header.data == PcdData::kAscii)
         readAscii(input, header, sink);

@@ -98,7 +98,8 @@ void settleField(const InputFile& input, PcdField& field) {
     if (!scalar)
         refuse(input, fmt::format("field {} has type {} of {} bytes, which is not a PCD type", inQuotes(field.name),
                                   inQuotes({&field.type, 1}), field.size));
-    if (field.count > kLargestCount) // of 0 are paddings without bytes, which drivers of lidars write
+    // fields with a count of 0 are padding without bytes, which drivers of lidars write
+    if (field.count > kLargestCount)
         refuse(input, fmt::format("field {} has an impossible COUNT of {}", inQuotes(field.name), field.count));
     field.scalar = *scalar;
     field.packed_color = (field.name == "rgb" || field.name == "rgba") && field.size == 4 && field.count == 1;

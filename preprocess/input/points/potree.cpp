@@ -104,7 +104,7 @@ struct PotreeRun {
     std::uint64_t bytes = 0; ///< in the encoding BROTLI
 };
 
-/// Reads the records of the hierarchy, which lies in chunks: the last nodes of one stand for the roots of others.
+/// Reads the records of the hierarchy, which consists of chunks: the last nodes of a chunk are the roots of others.
 class PotreeHierarchy {
 public:
     PotreeHierarchy(const InputFile& file, const Sink& sink) : file_(file), sink_(sink) {}

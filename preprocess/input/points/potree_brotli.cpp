@@ -12,7 +12,8 @@ namespace {
 
 constexpr std::size_t kMortonWord = 8; // bytes: 16 bits of each of three numbers
 
-/// Bytes of a value before compression: positions are two Morton codes, of the high and the low 16 bits, colours one.
+/// Bytes of a value before compression. Positions are two Morton codes, of the high and the low 16 bits; colours are a
+/// single one.
 std::size_t packedSize(const PotreeColumn& column) {
     if (column.kind == PotreeKind::kPosition) return 2 * kMortonWord;
     return column.kind == PotreeKind::kColor ? kMortonWord : column.size;
@@ -64,7 +65,7 @@ std::string unpackPotreeNode(const InputFile& file, std::string_view packed, std
     if (!good) refuse(file, fmt::format("the Brotli data of a node of {} points is invalid", points));
     std::string records(record_bytes * points, '\0');
     const char* from = values.data();
-    for (const PotreeColumn& column : columns) // all values of one, then those of the next
+    for (const PotreeColumn& column : columns) // all values of one column, then those of the next
         for (std::uint64_t i = 0; i < points; ++i, from += packedSize(column))
             unpackValue(column, from, records.data() + i * record_bytes + column.at);
     return records;

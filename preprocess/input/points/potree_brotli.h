@@ -18,8 +18,8 @@ struct PotreeColumn {
     PotreeKind kind = PotreeKind::kOther; ///< position: three int32; colour: three uint16
 };
 
-/// Unpacks a node to records as the encoding DEFAULT has them. Throws Error if the data is invalid. The caller limits
-/// the number of points.
+/// Unpacks a node to records of the encoding DEFAULT. Throws Error if the data is invalid. The caller limits the number
+/// of points.
 std::string unpackPotreeNode(const InputFile& file, std::string_view packed, std::span<const PotreeColumn> columns,
                              std::size_t record_bytes, std::uint64_t points);
 

@@ -33,7 +33,7 @@ struct PtxHeader {
 
 /// Two counts, four lines of three numbers and four of four: no point list starts like that.
 bool isPtxStart(std::string_view bytes) {
-    Lines lines{bytes.substr(0, 4096)}; // longer than ten lines of numbers
+    Lines lines{bytes.substr(0, 4096)}; // enough for ten lines of numbers
     std::string_view line;
     for (int i = 0; i < 2; ++i)
         if (!lines.next(line) || !countOf(line)) return false;
@@ -84,7 +84,7 @@ void readTransform(const InputFile& input, Lines& lines, Pose& input_from_scan) 
         refuseLine(input, place, "the transform is not a rotation and translation");
 }
 
-/// Every line of the header, whose cells may be missing if the file is to be salvaged.
+/// Reads every line of the header. If the file is salvaged, its cells may be missing.
 PtxHeader readHeader(const InputFile& input, std::string_view first_line, bool salvages, Lines& lines) {
     PtxHeader header;
     header.columns = readCount(input, first_line, "columns");
@@ -97,15 +97,14 @@ PtxHeader readHeader(const InputFile& input, std::string_view first_line, bool s
     const std::uint64_t most = (lines.rest.size() + 1) / 6;
     const bool overflows = __builtin_mul_overflow(header.columns, header.rows, &header.cells);
     if (overflows || (header.cells > most && !salvages))
-        refuseLine(
-            input, first_line.data(),
-            fmt::format(
-                "the header promises {} columns of {} points, but only {} bytes follow; --salvage reads what is whole",
-                header.columns, header.rows, lines.rest.size()));
+        refuseLine(input, first_line.data(),
+                   fmt::format("the header promises {} columns of {} points, but only {} bytes follow; --salvage reads "
+                               "the intact part",
+                               header.columns, header.rows, lines.rest.size()));
     return header;
 }
 
-/// The values that points of a scan have, detected from its first one.
+/// The values that the points of a scan have, detected from the first point.
 struct Shape {
     std::size_t words = 3;
     bool intensity = false, colors = false, real_colors = false;
@@ -118,7 +117,7 @@ bool isMissing(std::string_view line) {
     return true;
 }
 
-/// The line of the first cell with a point, or the last cell: missing points may be written with fewer words.
+/// The line of the first cell with a point, else that of the last cell: missing points may be written with fewer words.
 std::string_view firstPointLine(Lines lines, std::uint64_t cells) {
     std::string_view line;
     for (std::uint64_t i = 0; i < cells && lines.next(line); ++i)
@@ -147,7 +146,7 @@ struct PackedCell {
 };
 static_assert(sizeof(PackedCell) == 12);
 
-/// most_cells: that fit in the file
+/// most_cells: number of cells that fit in the file
 ScanTraits traitsOf(const PtxHeader& header, const Shape& shape, std::uint64_t most_cells) {
     ScanTraits traits;
     traits.vertices = std::min(header.cells, most_cells);
@@ -176,7 +175,8 @@ void parseCell(const InputFile& input, std::string_view line, const Shape& shape
     if (shape.colors) std::copy(values + shape.words - 3, values + shape.words, &row[kRed]);
 }
 
-/// Whether the end of the file cuts a line: it has no line end, and is not a scan's last or lacks numbers.
+/// Whether the end of the file cuts off a line: it has no line end, and either more lines should follow or it lacks
+/// numbers.
 bool endsWithin(const InputFile& input, std::string_view line, const Shape& shape, bool is_last) {
     if (line.data() + line.size() != input.end()) return false;
     if (!is_last) return true;
@@ -219,7 +219,7 @@ Cells readCells(const InputFile& input, const PtxHeader& header, const Shape& sh
     return cells;
 }
 
-/// Whether a header has default values only.
+/// Whether a header has only default values.
 bool isDefault(const PtxHeader& header) {
     const Pose& pose = header.input_from_scan;
     return header.position.isZero(0) && pose.translation.isZero(0) && pose.linear.isIdentity(0);

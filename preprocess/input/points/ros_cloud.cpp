@@ -28,7 +28,7 @@ void takeFields(RosMessage& message, RosCloud& cloud) {
     }
 }
 
-/// Rows without the padding between them.
+/// Removes the padding between rows.
 void dropPadding(RosCloud& cloud) {
     const std::size_t row = std::size_t{cloud.width} * cloud.point_step;
     if (cloud.height <= 1 || cloud.row_step == row) return;
@@ -37,7 +37,7 @@ void dropPadding(RosCloud& cloud) {
     cloud.data = cloud.packed;
 }
 
-/// Whether the data is as long as the sizes say.
+/// Whether the data has the length that the sizes give.
 bool holdsPoints(const RosCloud& cloud) {
     if (cloud.height == 0 || cloud.width == 0) return true;
     const std::uint64_t row = std::uint64_t{cloud.width} * cloud.point_step,

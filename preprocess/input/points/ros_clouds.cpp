@@ -9,7 +9,7 @@
 namespace pointrt {
 namespace {
 
-/// Whether a frame stays where it is while its scanner moves, by its usual names (REP 105).
+/// Whether a frame stays fixed while its scanner moves, judged by common names (REP 105).
 bool isFixedFrame(std::string_view frame) {
     const std::string lower = lowerCase(frame);
     for (const std::string_view word : {"map", "odom", "world", "earth", "utm", "global"})
@@ -52,7 +52,7 @@ void RosClouds::add(const std::string& topic, RosEncoding encoding, std::string_
     Topic& its = topics_[topic];
     if (!looks_for_poses_) return addCloud(topic, its, takeRosCloud(input_, encoding, message));
     if (!isRosCloud(its.type)) return poses_.add(input_, topic, its.type, encoding, message);
-    constexpr std::size_t kMostHeaders = 1 << 16; // hours of a lidar; some show whether poses fit
+    constexpr std::size_t kMostHeaders = 1 << 16; // hours of a lidar; a part of them shows whether poses fit
     RosMessage start(input_, encoding, message);
     RosHeader header(start);
     if (its.headers.size() < kMostHeaders && header.frame.size() <= kLongestFrame)
@@ -95,7 +95,7 @@ std::string RosClouds::otherTopics() const {
     return others;
 }
 
-/// Says which topics are placed where, and which are not.
+/// Notes which topics are placed by which poses, and which are not.
 void RosClouds::notePlaces() {
     std::string placed, as_they_are, roots;
     std::uint64_t unplaced = 0, clouds = 0;
@@ -109,7 +109,7 @@ void RosClouds::notePlaces() {
     }
     if (!placed.empty())
         sink_.note(input_, fmt::format("clouds are placed in frame {} by the {} of the recording: {}", roots,
-                                       moves_ ? "poses" : "transforms, none of which moves,", placed));
+                                       moves_ ? "poses" : "static transforms", placed));
     if (!as_they_are.empty())
         sink_.note(input_,
                    fmt::format("clouds are read as they are, without poses of a moving scanner: {}", as_they_are));
@@ -126,7 +126,7 @@ void RosClouds::finish() {
     if (const std::string others = otherTopics(); !others.empty())
         sink_.note(input_, fmt::format("topics without clouds are not read: {}", others));
     WorldFrame frame;
-    frame.up = Vec3d::UnitZ(); // of vehicles and maps alike (REP 103)
+    frame.up = Vec3d::UnitZ(); // the convention for vehicles and maps alike (REP 103)
     frame.up_by_custom = true;
     frame.metres_per_unit = 1;
     sink_.setWorldFrame(input_, frame);

@@ -52,7 +52,7 @@ private:
     struct Topic {
         std::string type, frame, root;
         std::uint64_t clouds = 0, unplaced = 0;
-        bool is_placed = false;         ///< a pose is known at the time of some cloud
+        bool is_placed = false;         ///< a pose is known at the time of at least one cloud
         std::vector<RosHeader> headers; ///< of its clouds, until the poses are known
     };
     void addCloud(const std::string& name, Topic& topic, RosCloud cloud);
@@ -61,7 +61,7 @@ private:
 
     const InputFile& input_;
     Sink& sink_;
-    std::function<void(double)> progress_; ///< of the file: the sink would report that of each cloud
+    std::function<void(double)> progress_; ///< for the file: the sink would report the progress of each cloud
     ReleasePagesBehind release_pages_;
     std::map<std::string, Topic> topics_;
     RosPoses poses_;

@@ -36,10 +36,10 @@ struct RosMessage {
     }
 };
 
-/// Longer names of frames are no use, and each takes memory, which packed recordings promise cheaply.
+/// Longer frame names are useless, and each takes memory, which compressed recordings can request cheaply.
 inline constexpr std::size_t kLongestFrame = 256;
 
-/// std_msgs/Header: when and in which frame the numbers of a message were taken.
+/// std_msgs/Header: the time and frame of a message.
 struct RosHeader {
     std::int64_t time_ns = 0;
     std::string frame; ///< without the slash that old versions of tf put before it

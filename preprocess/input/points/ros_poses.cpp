@@ -6,14 +6,14 @@
 namespace pointrt {
 namespace {
 
-/// Poses reach so far before the first and after the last of a frame: the turn of a lidar at 10 Hz, whose cloud may be
-/// stamped at its start or its end.
+/// Poses are valid this long before the first and after the last pose of a frame: for one rotation of a lidar at 10 Hz,
+/// whose cloud may be stamped at its start or its end.
 constexpr std::int64_t kReach_ns = 100'000'000;
-/// More poses than a day at 100 Hz has: a packed recording may promise any number.
+/// More poses than a day at 100 Hz has: a compressed recording may declare any number.
 constexpr std::size_t kMostSamples = std::size_t{1} << 23;
 /// More frames than a robot has joints.
 constexpr std::size_t kMostFrames = 4096;
-/// More frames than lie between a scanner and a map: transforms of a damaged file may go in circles.
+/// More frames than there are between a scanner and a map: transforms of a damaged file may form a cycle.
 constexpr int kMostSteps = 64;
 
 bool isTransforms(std::string_view type) {
@@ -22,7 +22,8 @@ bool isTransforms(std::string_view type) {
 
 bool isOdometry(std::string_view type) { return type == "nav_msgs/Odometry" || type == "nav_msgs/msg/Odometry"; }
 
-/// Whether a frame is on the ground, by its usual names (REP 105); what the earth's frame adds, nobody's z is up in.
+/// Whether a frame is on the ground, judged by common names (REP 105). The transform to the Earth's frame is not used,
+/// since z is not up there.
 bool isGround(const std::string& frame) { return frame == "map" || frame == "world"; }
 
 Eigen::Vector3d takeVector(RosMessage& message) {
@@ -51,7 +52,8 @@ void RosPoses::addOdometry(RosMessage& message, const std::string& topic) {
     addSample(message, header, RosHeader::withoutSlash(message.text()), topic, odometry_);
 }
 
-/// Takes the position, then the quaternion x y z w. Of several parents or odometries the first counts: tf is a tree.
+/// Takes the position, then the quaternion x y z w. If there are several parents or odometries, the first counts, as tf
+/// is a tree.
 void RosPoses::addSample(RosMessage& message, const RosHeader& header, const std::string& frame,
                          const std::string& topic, Edges& edges) {
     Sample sample{header.time_ns, takeVector(message), {}};
@@ -81,7 +83,7 @@ void RosPoses::sort() {
         }
 }
 
-/// A frame that never moves is there at all times: its transform is sent once.
+/// A frame that never moves is valid at all times: its transform is sent only once.
 std::optional<Eigen::Isometry3d> RosPoses::poseAt(const Edge& edge, std::int64_t time_ns) {
     const std::vector<Sample>& samples = edge.samples;
     const auto isometry = [](const Eigen::Vector3d& translation, const Eigen::Quaterniond& rotation) {
@@ -129,7 +131,7 @@ std::optional<RosPlacement> RosPoses::climb(std::string frame, std::int64_t time
 std::optional<RosPlacement> RosPoses::place(const std::string& frame, std::int64_t time_ns) const {
     const auto by_transforms = climb(frame, time_ns, false);
     if (by_transforms && by_transforms->moves) return by_transforms;
-    // A vehicle whose parts tf places, and which only odometry moves
+    // A vehicle whose parts tf places, but whose own motion is only in the odometry.
     const auto by_odometry = climb(frame, time_ns, true);
     return by_odometry && by_odometry->moves ? by_odometry : by_transforms;
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Where the frames of a ROS recording were at a time, by its transforms (tf) and its odometry.
+// Poses of the frames of a ROS recording over time, from its transforms (tf) and its odometry.
 #pragma once
 
 #include <Eigen/Geometry>
@@ -13,7 +13,7 @@
 
 namespace pointrt {
 
-/// A frame placed in the one that is nearest to the ground: a map, or what comes last before it.
+/// A frame placed in the frame nearest to the ground: a map, or the last one before it.
 struct RosPlacement {
     Pose root_from_frame;
     std::string root;
@@ -31,7 +31,7 @@ public:
     /// To be called after the last message, before place().
     void sort();
 
-    /// Absent if nothing places the frame, or its poses do not reach that time.
+    /// None if nothing places the frame, or its poses do not cover that time.
     std::optional<RosPlacement> place(const std::string& frame, std::int64_t time_ns) const;
 
 private:

@@ -89,7 +89,7 @@ private:
         }
     }
 
-    /// A length and as many bytes; false if they are not all there.
+    /// A length and as many bytes; false if some are missing.
     static bool takePart(ByteCursor& cursor, std::string_view& part) {
         std::uint32_t size = 0;
         if (cursor.rest.size() < sizeof size) return false;

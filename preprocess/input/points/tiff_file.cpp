@@ -70,7 +70,7 @@ std::uint32_t TiffFile::number(std::uint32_t tag) const {
 
 namespace {
 
-/// The values of a tag of this type: unknown ones come with a count of 32 bits.
+/// The values of a tag of this type: libtiff returns unknown tags with a count of 32 bits.
 template <typename Value>
 std::vector<Value> valuesOf(TIFF* tiff, std::uint32_t tag, TIFFDataType type) {
     const TIFFField* const field = TIFFFindField(tiff, tag, TIFF_ANY);

@@ -32,7 +32,7 @@ public:
     [[noreturn]] void fail(const std::string& place) const;
 
 private:
-    /// What libtiff's callbacks work on.
+    /// The state that libtiff's callbacks use.
     struct Stream {
         std::string_view bytes;
         std::uint64_t at = 0;

@@ -24,8 +24,8 @@ struct RowReader {
     std::uint64_t not_number = 0; ///< missing or malformed optional values so far
     std::uint64_t missing = 0;    ///< rows that lack a required number
     NumberStyle style;            ///< of the numbers so far
-    bool salvages = false;        ///< ignore a last line that the end of the file cuts
-    bool is_cut = false;          ///< it did
+    bool salvages = false;        ///< ignore an incomplete last line
+    bool is_cut = false;          ///< there was one
 
     RowReader(const InputFile& from, const Layout& how, std::vector<Need> what)
         : input(from), layout(how), needs(std::move(what)), values(needs.size()), style(how.style) {
@@ -34,7 +34,7 @@ struct RowReader {
     }
 
     /// Parses one record into values. A required number that is marked as missing becomes NaN. Throws Error if one is
-    /// not there or malformed.
+    /// absent or malformed.
     void parse(std::string_view line) {
         Fields fields{line, layout.delimiter};
         std::string_view field;
@@ -64,8 +64,8 @@ private:
         return styledNumber(field, style, value);
     }
 
-    /// Takes the style of a number that does not fit that of the numbers before it. Throws Error if the two differ
-    /// about these, or if the number may be in several.
+    /// Changes to the style of a number that contradicts the style so far. Throws Error if the two styles read the
+    /// earlier numbers differently, or if the number fits several styles.
     void takeStyle(std::string_view line, std::string_view field) {
         const NumberStyle* found = nullptr;
         double value = 0;
@@ -78,7 +78,7 @@ private:
         style = *found;
     }
 
-    /// Whether the numbers before a line are the same in another style.
+    /// Whether the numbers before a line have the same values in another style.
     bool mayBecome(const NumberStyle& other, std::string_view line) const {
         if (!style.group.empty()) return false;
         const std::string_view before =
@@ -92,8 +92,8 @@ private:
     }
 };
 
-/// Whether a last line without an end is to be left out: more points are announced, or it is no point, which throws
-/// Error unless the file is salvaged.
+/// Whether to leave out a last line without a line end: more points are announced, or it is not a point. Throws Error
+/// in these cases unless the file is salvaged.
 bool endsWithin(RowReader& reader, std::string_view line, std::uint64_t rows, std::uint64_t announced) {
     if (rows + 1 < announced) return true;
     try {
@@ -134,7 +134,7 @@ std::uint64_t forEachRow(RowReader& reader, Use&& use) {
     return announced;
 }
 
-/// What each column from the layout's first on has to be without a header.
+/// Requirement for each column, from the layout's first on, without a header.
 std::vector<Need> numbersOf(const Layout& layout) {
     std::vector<Need> needs(layout.first, Need::kNothing);
     needs.resize(layout.first + layout.columns, Need::kNumber);
@@ -188,10 +188,10 @@ void guessDimensions(const InputFile& input, Layout& layout, Sink& sink) {
     if (guess.label) addAttribute(layout, layout.first + *guess.label, "label", names);
 }
 
-/// The name of a column: some headers abbreviate intensity to I.
+/// The full name of a column: some headers abbreviate intensity to I.
 std::string_view fullName(std::string_view name) { return name == "i" || name == "I" ? "intensity" : name; }
 
-/// Named columns without another meaning become attributes if the first point has a number there.
+/// Named columns without another meaning become attributes if the first point has a number in them.
 void nameAttributes(const InputFile& input, Layout& layout, Sink& sink) {
     AttributeNames names;
     std::string unread;
@@ -281,7 +281,7 @@ void readTable(const InputFile& input, Sink& sink) {
     sink.finishScan(input);
 }
 
-/// Whether lines end with carriage returns alone, as in "CSV (Macintosh)" of spreadsheets.
+/// Whether lines end with carriage returns only, as in "CSV (Macintosh)" of spreadsheets.
 bool hasOnlyReturns(std::string_view text) {
     return text.find('\n') == text.npos && withoutBlanks(text).find('\r') != text.npos;
 }

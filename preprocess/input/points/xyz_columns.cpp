@@ -58,7 +58,7 @@ std::optional<std::size_t> findNormals(const ColumnStatistics& statistics, std::
     return std::nullopt;
 }
 
-/// What else is known of the list: whether it is a .pts file, and whether normals were found.
+/// Other facts about the list: whether it is a .pts file, and whether normals were found.
 struct Others {
     bool is_pts, normals;
 };
@@ -89,13 +89,14 @@ double correlation(const ColumnStatistics& statistics, std::size_t column) {
     return (statistics.products[column] - statistics.sum[column] * statistics.sum[column + 1] / rows) / std::sqrt(both);
 }
 
-/// Whether three columns of colours go beyond half of a byte's range, but not beyond a byte.
+/// Whether three columns of colours exceed half of a byte's range, but not a byte.
 bool areBright(const ColumnStatistics& statistics, std::size_t colors) {
     const auto most = std::max({statistics.most[colors], statistics.most[colors + 1], statistics.most[colors + 2]});
     return most >= 128 && most <= 255;
 }
 
-/// Whether a column of integers is a class number beside three colours: small, where the colours are not.
+/// Whether a column of integers beside three colours is a class number: its values are small, those of the colours are
+/// not.
 bool isLabel(const ColumnStatistics& statistics, std::size_t column, std::size_t colors) {
     constexpr double kMostLabels = 64;
     return statistics.whole[column] && statistics.least[column] >= 0 && statistics.most[column] < kMostLabels &&
@@ -155,7 +156,7 @@ std::optional<ColorPlace> findColors(const ColumnStatistics& statistics, std::si
 
 constexpr std::string_view kAdvice = "a header line such as '//X Y Z R G B I' defines";
 
-/// has_label: a column is read as one; unread: the number of columns that are not read
+/// has_label: one column is read as a label; unread: number of columns that are not read
 std::string doubtOf(const std::optional<ColorPlace>& colors, bool normals, bool has_label, std::size_t unread,
                     std::size_t before) {
     if (colors && colors->doubtful)

@@ -33,7 +33,7 @@ void observe(ColumnStatistics& statistics, const double* extras, std::size_t cou
 /// Statistics of the first four columns, for a point's number or time before x, y and z.
 struct LeadStatistics {
     std::uint64_t rows = 0;
-    bool ascends = true;  ///< so far each first value is above the one before, or equal to it where that is a time
+    bool ascends = true;  ///< so far each first value is above the previous one; for times, it may also be equal
     bool strictly = true; ///< none is equal
     bool counts = true;   ///< each is the one before plus 1
     double last = 0;
@@ -47,7 +47,7 @@ void observe(LeadStatistics& statistics, const double* values);
 
 enum class Lead { kNone, kNumber, kTime };
 
-/// What the first column is, if not x. described: words follow the numbers
+/// The meaning of the first column, if it is not x. described: words follow the numbers
 Lead leadOf(const LeadStatistics& statistics, bool described);
 
 /// Whether the second and third columns are a northing and an easting of UTM, in this order.

@@ -37,7 +37,7 @@ bool takeHeader(std::string_view line, char delimiter, Layout& layout) {
     return true;
 }
 
-/// Whether a field says that its number is missing: the first point of a grid often lacks its height.
+/// Whether a field marks a missing number: the first point of a grid often has no height.
 bool isMissingWord(std::string_view field) { return !field.empty() && isMissingNumber(field); }
 
 /// Number of fields in a line; its first run of numbers.
@@ -134,7 +134,8 @@ void takeTitle(const InputFile& input, std::string_view line, Layout& layout) {
     if (layout.left_out.size() > kMostTitles) refuseTitle(input, layout.left_out.front());
 }
 
-/// Whether a column of the first point is read as a number: if no header says so, all of its first run are.
+/// Whether a column of the first point is read as a number: if no header decides that, all columns of its first run
+/// are.
 bool isNumberColumn(const Layout& layout, std::size_t column) {
     if (layout.named()) return column < layout.dimensions.size() && layout.dimensions[column] != kIgnored;
     return column >= layout.first && column < layout.first + layout.columns;
@@ -143,7 +144,7 @@ bool isNumberColumn(const Layout& layout, std::size_t column) {
 } // namespace
 
 NumberSurvey surveyNumbers(const Layout& layout) {
-    constexpr int kRecords = 1000; // enough for a number that only one style fits
+    constexpr int kRecords = 1000; // enough to find a number that only one style fits
     NumberSurvey survey;
     std::string_view rest = layout.data, record;
     for (int i = 0; i < kRecords && nextRecord(rest, record, layout.delimiter); ++i) {

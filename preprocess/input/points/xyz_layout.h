@@ -24,8 +24,8 @@ struct Layout {
     std::uint64_t counted_points = 0; ///< from the first such line
     std::string_view data;            ///< from the first point on
     std::string_view first_line;
-    std::size_t first = 0;    ///< column of the first number of a point: words precede it
-    std::size_t columns = 0;  ///< numbers of the first point, from there on without a word between them
+    std::size_t first = 0;    ///< column of the first number of a point, which words may precede
+    std::size_t columns = 0;  ///< number of consecutive numbers of the first point from there on
     bool described = false;   ///< words follow them
     bool north_first = false; ///< y precedes x
     bool degrees = false;     ///< x and y are named longitude and latitude

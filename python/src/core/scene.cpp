@@ -30,13 +30,13 @@ using Column = std::optional<nb::ndarray<Number, nb::ndim<1>, nb::c_contig, nb::
 template <typename Number>
 using Triples = std::optional<nb::ndarray<Number, nb::shape<-1, 3>, nb::c_contig, nb::device::cpu>>;
 
-/// The numbers of an array; empty for None.
+/// The numbers of an array; an empty range for None.
 template <typename Array>
 auto numbersOf(const std::optional<Array>& array) {
     return array ? std::span(array->data(), array->size()) : std::span<typename Array::Scalar>();
 }
 
-/// Numbers the ray of an error among all rays of the caller.
+/// Renumbers the ray of an error from its slice to the caller's rays.
 template <typename Work>
 void numbered(std::uint64_t first_ray, const Work& work) {
     const nb::gil_scoped_release others_go_on;

@@ -48,7 +48,7 @@ nb::tuple sunLightsTuple(double latitude_deg, double longitude_deg, const Date& 
                                  {up, north, {}}));
 }
 
-/// None at the end.
+/// Returns None at the end.
 std::optional<nb::dict> nextPoints(ScenePointReader& reader, std::size_t most) {
     ScenePoints points;
     {

@@ -5,7 +5,7 @@ from __future__ import annotations
 
 import numpy as np
 
-#: From Open3D's names to ours.
+# : Open3D's names and ours.
 ALIASES = {"geometry_ids": "instance_ids", "primitive_ids": "splat_ids", "primitive_normals": "normals"}
 
 

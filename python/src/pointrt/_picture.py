@@ -21,7 +21,7 @@ def _exr_name(channels: Sequence[str]) -> str:
 _ROWS = _core.picture_layers()
 #: Layers that pictures can have.
 LAYERS: tuple[str, ...] = tuple(name for name, _ in _ROWS)
-#: From OpenEXR's names to ours.
+# : OpenEXR's names and ours.
 ALIASES = {_exr_name(channels): name for name, channels in _ROWS}
 
 

@@ -75,7 +75,7 @@ class Scene(Measures):
         self._clip = _boxes_of(clip)
         self._only = [only] if isinstance(only, str) else list(only)
         self._scene = _core.Scene(self._device, self._paths, memory, self._clip.tolist(), self._only)
-        self._renderer: tuple[dict[str, str], _core.Renderer] | None = None  # of the last settings
+        self._renderer: tuple[dict[str, str], _core.Renderer] | None = None  # renderer of the last settings
         self._renderer_lock = threading.Lock()
 
     def __len__(self) -> int:
@@ -193,7 +193,7 @@ class Scene(Measures):
         """
         file = _lidar.sensor_of(sensor)
         if trajectory is not None and pose is not None:
-            raise ValueError("trajectory and pose exclude each other")
+            raise ValueError("trajectory and pose cannot be combined")
         poses = (_lidar.pose_of(pose) if pose is not None else
                  _lidar.poses_of(trajectory) if trajectory is not None else file.poses)
         kinds = [self._kind_of(name) for name in attributes]

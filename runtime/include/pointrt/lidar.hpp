@@ -110,8 +110,8 @@ struct LidarPose {
     std::array<double, 4> rotation{0, 0, 0, 1}; ///< scan_from_scanner, quaternion x y z w; any length but 0
 };
 
-/// The quaternion of yaw about z, then pitch about the new y, then roll about the new x, counterclockwise with the axis
-/// towards the viewer: positive pitch lowers the front, positive roll lifts the left side.
+/// The quaternion of yaw about z, then pitch about the new y, then roll about the new x, counterclockwise if the axis
+/// points to the viewer: positive pitch lowers the front, positive roll lifts the left side.
 std::array<double, 4> lidarRotation(double yaw_deg, double pitch_deg, double roll_deg);
 
 struct LidarRun {
@@ -174,7 +174,7 @@ struct LidarSensorFile {
 
 /// Reads a sensor file; files that it names are relative to its folder. Throws kBadInput "FILE:LINE: key: reason".
 LidarSensorFile readLidarSensor(const std::string& path);
-/// The same for text. @param path for messages, and to find files that the text names
+/// The same for the text of a sensor file. @param path for messages, and to find files that the text names
 LidarSensorFile parseLidarSensor(std::string_view text, const std::string& path);
 
 /// Reads poses from a text file: a header line with the columns t x y z and qx qy qz qw, or yaw pitch roll in degrees,

@@ -36,9 +36,9 @@ struct PathMeasures {
     double horizontal = 0;           ///< of the last leg, across up
     double height = 0;               ///< of the last leg, along up; negative if it goes down
     double slope_deg = 0;            ///< of the last leg, from horizontal: -90 to 90
-    std::optional<double> angle_deg; ///< between the last two legs, 0 to 180: 180 if they go straight on
-    /// Of the polygon that the points enclose, from three points on. If it is not flat, its vector area: that of its
-    /// projection to the plane where this is largest.
+    std::optional<double> angle_deg; ///< 0 to 180; 180 if the two legs are in line
+    /// The area of the polygon that the points enclose, for three points or more. If the polygon is not flat, its
+    /// vector area: the area of its projection to the plane in which it is largest.
     std::optional<double> area;
     std::optional<double> plan_area; ///< of the polygon seen along up
     std::optional<double> perimeter; ///< of the polygon
@@ -74,7 +74,7 @@ FittedSphere fitSphere(std::span<const Position> points);
 
 /// The nearest point of the scene's surface to each point: rays in all directions find the surface, further ones follow
 /// its normals to the foot of the perpendicular. A detail that appears smaller than 10 degrees from the point may be
-/// missed. NaN for a point that no ray leaves to a surface. Throws kBadUsage for coordinates that are not finite.
+/// missed. NaN for a point from which no ray hits a surface. Throws kBadUsage for coordinates that are not finite.
 std::vector<Position> snapToSurface(const TraceScene& scene, std::span<const Position> points);
 
 /// Moves each point vertically to the surface visible from above: the first hit of a ray cast against up, a unit
@@ -85,7 +85,7 @@ struct VolumeRules {
     Position up{0, 0, 1}; ///< unit length
     /// Height of the base along up; none: the plane fitted to the rim.
     std::optional<double> base_height = {};
-    /// Side of the cells of the raster; 0: so that the rim's longer side has a thousand.
+    /// Side of the cells of the raster; 0: a thousandth of the rim's longer side.
     double cell = 0;
 };
 
@@ -96,13 +96,13 @@ struct Volume {
     double covered = 0; ///< the part of area where rays hit a surface; the rest counts neither as cut nor as fill
     double cell = 0;    ///< side of the cells
     std::uint64_t rays = 0;
-    FittedPlane base; ///< level with base_height
+    FittedPlane base; ///< level if base_height is given
     double net() const { return cut - fill; }
 };
 
-/// The volume within a rim, by a vertical ray through each cell of a raster, down from above all surfaces: the first
-/// hit counts. Cells that the rim cuts count with their part inside. Throws kBadUsage for a rim of fewer than three
-/// points or without area, a base that is vertical, more than 2^28 cells, and numbers that are not finite.
+/// The volume within a rim. A vertical ray through each cell of a raster starts above all surfaces; its first hit
+/// counts. Cells that the rim cuts count in part. Throws kBadUsage for a rim of fewer than three points or without
+/// area, a base that is vertical, more than 2^28 cells, and numbers that are not finite.
 Volume measureVolume(const TraceScene& scene, std::span<const Position> rim, const VolumeRules& rules);
 
 enum class ProfileSide {
@@ -112,41 +112,41 @@ enum class ProfileSide {
 
 struct ProfileRules {
     Position up{0, 0, 1}; ///< unit length
-    double step = 0;      ///< between stations along the line, across up; 0: a thousandth of its length
+    double step = 0;      ///< horizontal distance between stations along the line; 0: a thousandth of its length
     ProfileSide from = ProfileSide::kAbove;
-    std::optional<double> start_height = {}; ///< along up, where rays start; none: outside of the scene
-    bool all = false;                        ///< all surfaces on the rays, else the first
-    double apart = 0; ///< with all: surfaces closer than this behind each other are one; unit of the scene, at least 0
-    double width = 0; ///< of a band along the line: a station has the median of rays across it. 0: one ray
+    std::optional<double> start_height = {}; ///< position along up where rays start; none: outside the scene
+    bool all = false;                        ///< true: all surfaces along the rays; false: the first
+    double apart = 0; ///< with all: surfaces less than this apart count as one; unit of the scene, at least 0
+    double width = 0; ///< of a band along the line, across which a station takes the median; 0: one ray per station
 };
 
 /// A point of a profile.
 struct ProfilePoint {
-    double station = 0;      ///< distance along the line, across up
-    std::uint32_t layer = 0; ///< of the surfaces on the ray, from 0 where it starts
-    bool hit = false;        ///< false: no surface there; then position is on the line
+    double station = 0;      ///< horizontal distance along the line
+    std::uint32_t layer = 0; ///< number of the surface along the ray, from 0 at its start
+    bool hit = false;        ///< false: no surface there, and position is on the line
     Position position{};
     double height = 0;        ///< position along up
-    double low = 0, high = 0; ///< of all rays across the band; height, without one
+    double low = 0, high = 0; ///< lowest and highest of all rays across the band; without a band, equal to height
 };
 
-/// The surface along a polyline seen along up, by vertical rays. Stations are at multiples of step, and at the end; in
-/// their order. all excludes width. Throws kBadUsage for a line of fewer than two points or without length, more than
-/// 2^22 stations, negative lengths, and numbers that are not finite.
+/// The surface along a polyline, found by vertical rays. Stations are at multiples of step and at the end of the line,
+/// in order. all and width cannot be combined. Throws kBadUsage for a line of fewer than two points or without length,
+/// more than 2^22 stations, negative lengths, and numbers that are not finite.
 std::vector<ProfilePoint> surfaceProfile(const TraceScene& scene, std::span<const Position> line,
                                          const ProfileRules& rules);
 
 struct ContourRules {
     Position up{0, 0, 1}; ///< unit length
-    double interval = 0;  ///< between the heights of lines; 0: a round number that gives 10 to 25 of them
-    double cell = 0;      ///< side of the cells of the raster, one ray each; 0: the scene's longer side has a thousand
+    double interval = 0;  ///< height difference between lines; 0: a round number that gives 10 to 25 heights
+    double cell = 0;      ///< side of the cells of the raster, one ray each; 0: a thousandth of the scene's longer side
     double shortest = 0;  ///< length of the shortest line to keep; at least 0
 };
 
 /// A line of equal height. Higher ground lies on its left, seen from above.
 struct Contour {
-    double height = 0;     ///< along up: a multiple of the interval
-    bool is_index = false; ///< of five lines every fifth, for labels: a multiple of five intervals
+    double height = 0;     ///< height along up: a multiple of the interval
+    bool is_index = false; ///< every fifth height, a multiple of five intervals: to label
     bool closed = false;   ///< the last point is followed by the first
     std::vector<Position> points;
 };
@@ -162,17 +162,19 @@ struct SectionPlane {
     Position right{1, 0, 0}, up{0, 1, 0}; ///< in the plane, perpendicular, unit length
 };
 
-/// A plane as pointrt-view --section has it: "z=1.2", "x=3", "-x=3" (seen from the other side), "X0,Y0,X1,Y1". Axes of
+/// A plane in the notation of pointrt-view --section: "z=1.2", "x=3", "-x=3" (seen from the other side), "X0,Y0,X1,Y1".
+/// Axes of
 /// drawings are those of its pictures. Throws kBadUsage for any other text, and for a thickness.
 /// @param up of the scene, unit length
 SectionPlane sectionPlane(const std::string& text, const Position& up);
-/// The plane across up, of unit length, at a height along it; drawn with north up.
+/// The plane perpendicular to up, a unit vector, at a height along it; drawn with north up.
 SectionPlane levelPlane(double height, const Position& up);
 
 struct SectionRules {
-    double step = 0;      ///< between the rays that sweep the plane; above 0. Surfaces closer than two steps are one
-    double gap = 0;       ///< the widest gap that lines are joined across; gaps of 2.5 steps are always closed
-    double tolerance = 0; ///< the largest distance of a line from the places where rays met the surface
+    /// Distance between the rays that sweep the plane; above 0. Surfaces closer together than two steps become one.
+    double step = 0;
+    double gap = 0;       ///< widest gap to join lines across; gaps of 2.5 steps are always closed
+    double tolerance = 0; ///< largest distance by which simplified lines may deviate from the points that rays hit
     double shortest = 0;  ///< length of the shortest line to keep
 };
 
@@ -206,7 +208,7 @@ struct DistanceStatistics {
     double mean = 0, deviation = 0; ///< standard deviation
     double median = 0;
     double rms = 0;
-    double percentile_95 = 0; ///< of absolute distances: 95% are at most so large
+    double percentile_95 = 0; ///< 95th percentile of absolute distances
     double low = 0, high = 0;
 };
 

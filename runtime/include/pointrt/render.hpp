@@ -29,7 +29,7 @@ namespace pointrt {
 struct LookAt {
     std::optional<std::array<double, 3>> eye = {}, target = {};
     std::optional<std::array<double, 3>> up = {}; ///< of the picture; none: the scene's
-    std::optional<double> fov_deg = {};           ///< vertical, 0.001 up to below 180; none: 40
+    std::optional<double> fov_deg = {};           ///< vertical, from 0.001 to below 180; none: 40
 };
 
 /// A calibrated camera without distortion. Image coordinates are in pixels, x to the right and y down, with the centre
@@ -67,11 +67,10 @@ struct Picture {
     const PictureLayer& layer(const std::string& name) const;
 };
 
-/// Render settings, by the names of pointrt-view's options without dashes:
-/// {"integrator", "path"}, {"bounces", "8"}, {"spp", "64"}, {"seed", "7"}, {"lights", "3"}, {"color-by", "height"}.
-/// Also "up", the scene's up direction; "memory", the limit for tiles of sets; and "staged-for", "X,Y,Z": the eye for
-/// which default lights and rooms are placed (default: the default camera's). Names may have _ for -. Sun, sky and
-/// materials need scene files.
+/// Render settings, by the names of pointrt-view's options without dashes: {"integrator", "path"}, {"bounces", "8"},
+/// {"spp", "64"}, {"seed", "7"}, {"lights", "3"}, {"color-by", "height"}. Also "up", the scene's up direction;
+/// "memory", the limit for tiles of sets; and "staged-for", "X,Y,Z": the eye for which default lights and rooms are
+/// placed (default: the default camera's). Names may have _ in place of -. Sun, sky and materials need scene files.
 using PictureSettings = std::map<std::string, std::string>;
 
 /// All layers:

@@ -150,10 +150,10 @@ struct SunStudy {
 /// day falls on one calendar date, whatever the legal time zone.
 double utcOffsetOf(GeoPlace place);
 
-/// The sun at the middle of each interval of every_min while its centre is above the horizon; weights are hours.
-/// Positions follow NOAA's Solar Calculator (Meeus, Astronomical Algorithms, chapter 25, low accuracy: within 0.02
-/// degrees from 1900 to 2100), with atmospheric refraction at sea level (same source). Throws kBadUsage for invalid
-/// places, dates and numbers, last before first, and more than a million instants.
+/// The sun's position at the middle of each interval of every_min minutes in which its centre is above the horizon;
+/// weights are hours. Positions follow NOAA's Solar Calculator (Meeus, Astronomical Algorithms, chapter 25, low
+/// accuracy: within 0.02 degrees from 1900 to 2100), with atmospheric refraction at sea level (same source). Throws
+/// kBadUsage for invalid places, dates and numbers, last before first, and more than a million instants.
 Lights sunLights(const SunStudy& study, const StudyFrame& frame);
 
 /// The sky as cosine-weighted directions: each carries the same share of the light of a uniform sky on level ground

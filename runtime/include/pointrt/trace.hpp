@@ -98,8 +98,9 @@ struct SceneOptions {
     /// hit only what is inside all of them and inside the clips of the scene file, except shapes, which stay whole. At
     /// most 32 planes together, a box counts as six.
     std::vector<std::array<double, 6>> clips = {};
-    /// "NAME=VALUE,VALUE" or "NAME=FROM:TO": rays hit only splats whose attribute (or height) has these values, of all
-    /// filters and those of the scene file. Scans without the attribute, and Gaussians, stay whole.
+    /// "NAME=VALUE,VALUE" or "NAME=FROM:TO": rays hit only splats whose attribute (or height) has these values,
+    /// according to all of these filters and those of the scene file. Scans without the attribute, and Gaussians, are
+    /// not filtered.
     std::vector<std::string> filters = {};
 };
 
@@ -184,7 +185,7 @@ public:
     void readColors(std::span<const std::uint32_t> splat_ids, std::span<const std::uint32_t> instance_ids,
                     std::span<std::uint8_t> colors) const;
 
-    /// A box around all splats, as large as the discs reach; empty, at 0, if the scene has shapes only.
+    /// A box around all splats including the extent of their discs; empty, at 0, if the scene has only shapes.
     SceneBounds bounds() const;
     /// Metres per unit of the scans' coordinates; 0 if unknown, or if the scans differ.
     double metresPerUnit() const;

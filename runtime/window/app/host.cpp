@@ -61,7 +61,7 @@ std::vector<InputEvent> Host::poll(double timeout_s) {
     return events;
 }
 
-/// Asks only after the window was placed or moved: it takes a round trip to the display.
+/// Queries the position only after the window was placed or moved, since that takes a round trip to the display.
 void Host::findDisplay() {
     if (std::exchange(desktop_->inbox->moved, false)) display_hz_ = refreshRate(*desktop_);
 }

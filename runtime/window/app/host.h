@@ -35,13 +35,13 @@ public:
     Device& device() { return device_; }
     Presenter& presenter() { return presenter_; }
     ResizeEvent size() const { return size_; }
-    /// Size of the picture, at least 1 x 1; the last one while minimised.
+    /// Size of the picture, at least 1 x 1; while minimised, the last size.
     PixelSize pixels() const { return pixels_; }
     bool minimised() const { return size_.width == 0 || size_.height == 0; }
     /// Text scale of the desktop: 1 on ordinary screens.
     float textScale() const;
 
-    /// Refreshes a second of the display that the window is on, if known.
+    /// Refresh rate in Hz of the display that the window is on, if known.
     std::optional<double> displayRate() const { return display_hz_; }
 
     /// New events, waiting up to timeout_s for the first one.

@@ -20,7 +20,7 @@ UserInterface::UserInterface(Host& host) : host_(host), context_(ImGui::CreateCo
 
 UserInterface::~UserInterface() { ImGui::DestroyContext(context_); }
 
-/// Remakes the fonts when the screen's scale changes.
+/// Rebuilds the fonts when the screen's scale changes.
 void UserInterface::fitText() {
     if (host_.size().scale == text_scale_) return;
     text_scale_ = host_.size().scale;

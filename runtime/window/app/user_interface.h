@@ -22,7 +22,7 @@ public:
     UserInterface(const UserInterface&) = delete;
     UserInterface& operator=(const UserInterface&) = delete;
 
-    /// Feeds event to the panels; returns the commands of an event they do not use.
+    /// Passes event to the panels; returns the commands of an event that they do not use.
     std::vector<Command> handleEvent(const InputEvent& event, double now_s);
     bool isDragging() const { return controls_.drag.has_value(); }
 
@@ -30,7 +30,7 @@ public:
     void draw(Workspace& work, double seconds);
     /// Presents the picture with the panels on top.
     void present(const std::function<void(VkCommandBuffer)>& uploads);
-    /// Writes the same to a PNG.
+    /// Writes picture and panels to a PNG.
     void savePng(const std::string& path);
 
 private:

@@ -27,7 +27,7 @@ namespace {
 /// Poll interval when idle, for jobs and notices.
 constexpr double kIdle_s = 0.1;
 constexpr double kNotice_s = 6;
-constexpr double kError_s = 20; // a long path and its reason, read twice
+constexpr double kError_s = 20; // time to read a long path and a reason twice
 
 HostRequest hostRequest(const Options& options, const RecordReplay& tape) {
     HostRequest request;
@@ -51,7 +51,7 @@ ViewSize viewSize(const Host& host) {
     return {std::max(1.0, double(size.width)), std::max(1.0, double(size.height))};
 }
 
-/// Whether command may be executed while a question waits for its answer.
+/// Whether command may be executed while a question is open.
 bool isAnswer(const Command& command) {
     const auto* action = std::get_if<Action>(&command);
     return action ? *action == Action::kBack : std::holds_alternative<ResizeEvent>(command);
@@ -59,7 +59,7 @@ bool isAnswer(const Command& command) {
 
 double aspectOf(ViewSize size) { return size.width / size.height; }
 
-/// live: null if it must not be used now.
+/// live: null while it must not be used.
 void fillHud(Workspace& work, Host& host, const LoadedScene* loaded, const ViewportRenderer* live) {
     HudStats& hud = work.hud;
     hud.device = host.device().name;
@@ -125,7 +125,7 @@ void Window::tryOrNotify(const std::string& subject, const std::function<void()>
     }
 }
 
-/// How long to wait for input: not at all while there is work, one frame while something on the screen moves by itself.
+/// How long to wait for input: not at all while there is work, one frame while an animation runs.
 double Window::inputTimeout() const {
     const bool traces =
         image_.live() && !jobs_.has(JobKind::kSceneUpdate) && image_.mayWork() && !image_.live()->progress().resting;
@@ -139,7 +139,7 @@ std::vector<InputEvent> Window::collectInput() {
     std::vector<InputEvent> events = std::exchange(input_.pending, {});
     if (events.empty()) events = host_.poll(inputTimeout());
     if (!session_.isReplaying()) return events;
-    // in a replay only size changes of the real window count
+    // in a replay, of the real window's events only size changes count
     std::erase_if(events, [](const InputEvent& event) { return !std::holds_alternative<ResizeEvent>(event); });
     ReplayFrame replayed = session_.next(pictureState());
     for (InputEvent& event : replayed.events) {
@@ -169,7 +169,7 @@ void Window::execute(const Command& command) {
         view_.stop();
         work_.camera = *view;
     }
-    const bool has_picture = loaded_ || jobs_.any(); // soon
+    const bool has_picture = loaded_ || jobs_.any(); // a picture is shown, or will be soon
     if (const auto* at = std::get_if<PickCommand>(&command); at && has_picture)
         image_.pick({at->x / size.width, at->y / size.height});
     if (const auto* at = std::get_if<CentreCommand>(&command); at && has_picture)
@@ -203,7 +203,7 @@ void Window::handleRequests() {
         }
     }
     editor_.noteRequests(requests);
-    // edits wait for tiles to load, which takes a moment
+    // edits wait for tiles that are being loaded, which takes a moment
     handleEdits(requests);
     if (loaded_ && !changesScene(jobs_) && !jobs_.has(JobKind::kTiles))
         editScene(requests.dragging, requests.dragging || requests.typing);
@@ -249,7 +249,7 @@ bool Window::frame() {
     session_.endFrame();
     const bool changed_scene = changesScene(jobs_);
     jobs_.poll();
-    // a replay must wait here too
+    // a replay must wait for this too
     if (changed_scene && !changesScene(jobs_)) session_.recordStep(WaitStep{1});
     work_.job = jobs_.status();
     work_.camera = view_.advanced(work_.camera, session_.now(), seconds);
@@ -274,14 +274,14 @@ bool Window::frame() {
     meter_.end(Clock::now(), shownPicture(image_));
     for (const std::string& name : std::exchange(input_.screenshots, {})) ui_.savePng(name + ".png");
     return !quit_ || jobs_.has(JobKind::kSave) ||
-           (image_.isFilmRequested() && image_.live()); // finish a requested picture
+           (image_.isFilmRequested() && image_.live()); // completes a requested picture
 }
 
 void Window::run() {
     catchInterrupts();
     while (frame() && !interrupted()) continue;
     if (!session_.isReplaying()) writePreferences(userStateFolder(), work_);
-    if (autosave_ && !interrupted()) autosave_->discard(); // saved, or not wanted
+    if (autosave_ && !interrupted()) autosave_->discard(); // its edits are saved, or not wanted
     WindowReport& report = meter_.report;
     report.device = host_.device().name;
     report.width = host_.pixels().width;
@@ -297,8 +297,8 @@ void runWindow(const Options& options) {
     } catch (const DeviceLost&) {
         left = window->handOver();
     }
-    window.reset();                         // the device of a process is one at a time
-    Window(options, std::move(left)).run(); // a device that is lost again ends the program; edits are in the autosave
+    window.reset();                         // a process has one device at a time
+    Window(options, std::move(left)).run(); // if the device is lost again, the program ends; edits are in the autosave
 }
 
 } // namespace pointrt

@@ -29,7 +29,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// At most this long of work is lost.
+/// At most this many seconds of work are lost.
 constexpr double kAutosaveEvery_s = 1;
 
 std::string nameOf(const Workspace& work) { return std::filesystem::path(work.scene.path).filename().string(); }
@@ -41,7 +41,7 @@ void Window::ask(Question question, std::function<void(std::size_t)> answered) {
     on_answer_ = std::move(answered);
 }
 
-/// Does what would end the current scene, once its edits are saved or given up.
+/// Continues with what ends the current scene once its edits are saved or discarded.
 void Window::afterSaving(std::function<void()> next) {
     if (!editor_.isModified()) return next();
     enum : std::size_t { kSave, kDiscard, kCancel };
@@ -120,7 +120,7 @@ void Window::handleEdits(const Requests& requests) {
 /// Writes the scene file. Returns false, after a notice with the reason, if that fails.
 bool Window::saveScene() {
     if (shows_quick_bake_ && jobs_.has(JobKind::kBake)) {
-        notify("wait until " + nameOf(work_) + " is baked", true); // the file would have a tenth of its points
+        notify("wait until " + nameOf(work_) + " is baked", true); // the file would have only a tenth of the points
         return false;
     }
     bool saved = false;
@@ -160,7 +160,7 @@ void Window::autosave() {
     });
 }
 
-/// Offers the edits of scene that a program that was killed has left.
+/// Offers the edits of scene that a program left when it crashed.
 void Window::offerAutosave(const SceneSource& scene) {
     autosaved_revision_ = editor_.revision();
     const std::string folder = userStateFolder();
@@ -168,11 +168,11 @@ void Window::offerAutosave(const SceneSource& scene) {
         autosave_ = std::make_unique<Autosave>(folder.empty() ? folder : folder + "/autosave", scene.name());
     };
     if (scene.is_autosave) {
-        if (!autosave_) takeAutosave(); // it was reopened with the device
+        if (!autosave_) takeAutosave(); // it was reopened after the device was lost
         if (!scene.only_view) editor_.markUnsaved();
         return;
     }
-    if (scene.follows_quick) return; // it has been offered with the quick bake
+    if (scene.follows_quick) return; // it was offered with the quick bake
     if (autosave_) autosave_->discard();
     addRecentFile(folder, scene.name());
     takeAutosave();
@@ -189,7 +189,7 @@ void Window::offerAutosave(const SceneSource& scene) {
 void Window::saveOutline(std::size_t clip) {
     const auto* plane = std::get_if<ClipPlane>(&work_.scene.clips.at(clip).form);
     const std::optional<std::string> option = plane ? planeOption(*plane) : std::nullopt;
-    if (!option) return notify("outlines are drawn in planes square to an axis", true);
+    if (!option) return notify("outlines can only be drawn in planes perpendicular to an axis", true);
     const std::string name = freeName(work_.scene.path, {".dxf", ".svg"});
     const bool starts = jobs_.start(JobKind::kStudy, [&] {
         return startedJob<OutlineJob>(
@@ -211,12 +211,12 @@ void Window::compareScans(const Comparison& comparison) {
     if (!starts) notify("wait until the other study is done", true);
 }
 
-/// Opens the scene again with the copy of a scan that has distances, coloured by them, and without the reference, which
+/// Opens the scene again with the copy of the scan that has distances, coloured by distance. Hides the reference, which
 /// would cover half of it.
 void Window::showComparison(const std::string& with_distances, const Comparison& comparison) {
     SceneDescription shown = sceneAsShown(work_, {host_.pixels().width, host_.pixels().height});
     InstanceDescription& compared = shown.instances.at(comparison.compared);
-    compared.layer.name = layerName(shown, {LayerKind::kScan, comparison.compared}); // not that of the copy
+    compared.layer.name = layerName(shown, {LayerKind::kScan, comparison.compared}); // the layer keeps its name
     compared.path = with_distances;
     shown.instances.at(comparison.reference).visible = false;
     shown.render.color_by = kDistance;

@@ -32,9 +32,9 @@ namespace {
 /// Interval of redrawing the interface while there is no input.
 constexpr double kRedraw_s = 0.1;
 constexpr std::size_t kPicks = 2;
-/// More than anyone clicks; each is drawn in every frame.
+/// Limit of picks in a path: more than anyone clicks, since each is drawn in every frame.
 constexpr std::size_t kPathPicks = 1000;
-/// Share of the tile memory for the cut; the rest is for tiles that load while it is shown.
+/// Share of the tile memory for the current cut; the rest is for tiles that load while it is displayed.
 constexpr double kCutShare = 0.8;
 /// Interval of tile selection while the camera moves.
 constexpr double kTilesEvery_s = 0.2;
@@ -75,20 +75,20 @@ void recordUploads(VkCommandBuffer commands, Host& host, const Buffer& pixels,
     if (scaled) recordUploadPreview(host.device(), commands, host.presenter(), pixels, scaled->width, scaled->height);
 }
 
-/// What records the copy of the picture's changed rows to the canvas; empty if nothing has changed.
+/// Records the copy of the picture's changed rows to the canvas; empty if nothing has changed.
 std::function<void(VkCommandBuffer)> takeUploads(Host& host, ImageController& image) {
     ViewportRenderer& live = *image.live();
     std::vector<PictureUpdate> updates = live.updates();
     live.clearUpdates();
     const PixelSize canvas{host.pixels().width, host.pixels().height};
-    // after a change of the window's size, its picture comes with the next frame
+    // after the window's size has changed, its picture comes with the next frame
     if (updates.empty() || canvas != image.size()) return {};
     return [&host, &pixels = live.pixels(), updates = std::move(updates)](VkCommandBuffer commands) {
         recordUploads(commands, host, pixels, updates);
     };
 }
 
-/// Legend and measurements.
+/// The legend and the measurements.
 PictureOverlay savedOverlay(const Workspace& work, const Viewport& view, PixelSize size) {
     PictureOverlay overlay;
     if (view.settings.legend.value_or(false) && work.legend) overlay.boxes.push_back(drawLegend(*work.legend, size));
@@ -103,7 +103,7 @@ StartedJob Window::startLoad(const SceneSource& scene, bool first) {
     options.scene = scene.path;
     options.source = scene.source;
     options.added = scene.added;
-    if (loaded_ && !scene.follows_quick) { // these options are for the scene of the command line only
+    if (loaded_ && !scene.follows_quick) { // these options apply only to the scene of the command line
         options.sun.reset();
         options.camera = {};
         options.up_axis.reset();
@@ -112,7 +112,7 @@ StartedJob Window::startLoad(const SceneSource& scene, bool first) {
     }
     options.choices.size = host_.pixels();
     host_.setTitle(std::filesystem::path(scene.name()).filename().string() + " - pointrt");
-    // a failure ends the program for the command line's file; after a dropped file the window stays
+    // for the command line's file, a failure ends the program; after a dropped file the window stays open
     return startedJob<LoadJob>(
         std::make_unique<LoadJob>(host_.device(), options, freeShare(host_)),
         [this, scene](LoadJob& load) { showLoaded(load.take(), scene); },
@@ -153,7 +153,7 @@ void Window::showColors() {
     work_.legend = loaded_->scene.paint.legend;
 }
 
-/// Finds the histograms that filters need. Those of heights hold for an up direction.
+/// Computes the histograms that filters need. Those of heights are valid for one up direction.
 void Window::updateHistograms() {
     if (changesScene(jobs_)) return;
     const Vec3 up = sceneUp(work_.scene, work_.settings);
@@ -166,7 +166,7 @@ void Window::updateHistograms() {
     }
 }
 
-/// Brings the scene on the device up to date with the edits. in_progress: more of the same kind follow.
+/// Updates the scene on the device after edits. in_progress: more edits of the same kind follow.
 void Window::editScene(bool dragging, bool in_progress) {
     editor_.updateSurroundings();
     if (!in_progress) editor_.noteEdits();
@@ -195,7 +195,7 @@ void Window::editScene(bool dragging, bool in_progress) {
 
 bool Window::needsTiles() const { return loaded_ && !loaded_->scene.sets.empty() && complete_for_ != tileView(); }
 
-/// Clips and hidden scans are those on the device.
+/// Clips and hidden scans as they are on the device.
 TileView Window::tileView() const {
     const SceneDescription& scene = loaded_->scene.description;
     TileView view{cameraOf(work_.camera), host_.pixels(), scene.clips, {}, {}};
@@ -246,7 +246,7 @@ void Window::showTiles(TileJob& job, const TileView& view) {
     addPrograms(host_.device(), scene, loaded_->settings, loaded_->tracer.programs);
     rebind(host_.device(), loaded_->tracer);
     image_.restart(ViewChange::kScene);
-    // every ray tests every tile
+    // the cost grows with the tiles, since every ray tests every tile
     image_.scaleCost(static_cast<double>(scene.instances.size()) / before);
 }
 
@@ -270,8 +270,8 @@ void Window::updatePicture() {
     if (image_.isFilmReady() && !jobs_.has(JobKind::kSave)) tryOrNotify("", [&] { saveFilm(); });
 }
 
-/// While there is no input the interface is not redrawn, so that all the time goes to the picture. Input is polled as
-/// often as before.
+/// While there is no input, refines the picture without redrawing the interface, which leaves all the time to the
+/// picture. Input is polled as often as before.
 void Window::refineWithoutRedraw() {
     const ViewportRenderer& live = *image_.live();
     while (!image_.moved() && !input_.any && !ui_.isDragging() && !view_.isInFlight() && !work_.job &&
@@ -300,7 +300,7 @@ void Window::saveFilm() {
             std::make_unique<SaveJob>(host_.device(), name, std::move(saved), look),
             [this](SaveJob& save) { notify(save.summary(), false); },
             [this](const Job& job) {
-                if (quit_) throwIfFailed(job); // a notice would not be seen
+                if (quit_) throwIfFailed(job); // the window closes, so nobody would see a notice
             });
     });
 }

@@ -26,7 +26,7 @@
 
 namespace pointrt {
 
-/// What tiles are selected for.
+/// The view and scene that tiles are selected for.
 struct TileView {
     Camera camera;
     PixelSize size;
@@ -36,18 +36,18 @@ struct TileView {
     bool operator==(const TileView&) const = default;
 };
 
-/// The view of a scene that is opened again. Scene files keep no pivot beside the line of sight.
+/// The view of a scene that is opened again: scene files do not store a pivot beside the line of sight.
 struct KeptView {
     std::string scene; ///< its name
     ViewCamera camera, home;
 };
 
-/// What a window that lost its device leaves to the next one.
+/// The state that a window which lost its device hands to the next one.
 struct ReopenedWindow {
     RecordReplay session;
-    std::optional<SceneSource> scene; ///< none: it opens what the options name
+    std::optional<SceneSource> scene; ///< none: the next window opens what the options name
     std::optional<KeptView> view;     ///< of that scene
-    bool lacks_pictures = false;      ///< a picture or a turntable was being rendered to be saved
+    bool lacks_pictures = false;      ///< a picture or a turntable was being rendered to a file
 };
 
 /// True if the scene on the device is being replaced or updated.
@@ -55,7 +55,7 @@ inline bool changesScene(const JobQueue& jobs) { return jobs.has(JobKind::kLoad)
 
 class Window {
 public:
-    /// reopened: of the window in whose place it is opened, if there is one.
+    /// reopened: the state of the window that this one replaces, if any.
     explicit Window(const Options& options, std::optional<ReopenedWindow> reopened = {});
     Window(const Window&) = delete;
     Window& operator=(const Window&) = delete;
@@ -111,10 +111,10 @@ private:
     void startStill();
     void renderTurntable(std::uint32_t pictures, bool follows_views);
 
-    /// Input of this frame and for later ones.
+    /// Events of this frame, and those kept for later ones.
     struct Input {
         std::vector<InputEvent> pending;      ///< polled in an earlier frame
-        std::vector<std::string> screenshots; ///< names of PNGs to write of the next frame
+        std::vector<std::string> screenshots; ///< names of the PNGs to write of the next frame
         bool any = true;                      ///< this frame had events
     };
 
@@ -129,7 +129,7 @@ private:
     SceneEditor editor_;
     std::unique_ptr<LoadedScene> loaded_;
     std::optional<KeptView> kept_view_;    ///< of the scene that is being opened again
-    std::optional<TileView> complete_for_; ///< the view whose tiles are all on the device
+    std::optional<TileView> complete_for_; ///< the view for which all tiles are on the device
     double last_tile_request_s_ = 0;       ///< on the window's clock
     bool warned_coarse_ = false;
     Vec3 histograms_up_; ///< of work_.histograms
@@ -139,8 +139,8 @@ private:
     double autosaved_s_ = 0;                     ///< on the window's clock
     std::function<void(std::size_t)> on_answer_; ///< of work_.question
     ImageController image_;
-    std::function<void(VkCommandBuffer)> uploads_; ///< records what brings the canvas up to date; empty: it is
-    JobQueue jobs_;                                ///< after the members that jobs use, so that jobs end first
+    std::function<void(VkCommandBuffer)> uploads_; ///< records the update of the canvas; empty: it is up to date
+    JobQueue jobs_;                                ///< declared after the members that jobs use, so that jobs end first
     FileOpener opener_;
     std::unique_ptr<FileDialog> dialog_; ///< while the desktop's dialog is open
     bool quit_ = false;

@@ -24,7 +24,7 @@ void goBack(Workspace& work) {
         work.picks.clear();
 }
 
-/// Goes round the list: before the first one comes the last.
+/// Moves by steps in the list of views, cyclically.
 void goToView(Workspace& work, std::size_t steps) {
     const std::size_t count = work.scene.views.size();
     if (count == 0) return;

@@ -7,7 +7,7 @@
 
 namespace pointrt {
 
-/// Returns false and does nothing if the action is not the workspace's: camera, clipboard, other files.
+/// Returns false and does nothing for actions of others: of camera, clipboard, or other files.
 bool applyAction(Workspace& work, Action action);
 
 } // namespace pointrt

@@ -19,7 +19,7 @@ namespace fs = std::filesystem;
 
 constexpr int kMaxPrograms = 10;
 
-/// FNV-1a: names of files need no better hash, and must not change from version to version.
+/// FNV-1a: names of files need no better hash, and it must not change between versions.
 std::uint64_t hashOf(std::string_view text) {
     std::uint64_t hash = 0xcbf29ce484222325;
     for (const char c : text) hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3;
@@ -45,7 +45,7 @@ Autosave::Autosave(const std::string& folder, const std::string& scene) {
 }
 
 bool Autosave::take(const std::string& path) {
-    if (!lock_.openFile(path + ".lock")) return true; // no other name would do better
+    if (!lock_.openFile(path + ".lock")) return true; // another name would not work either
     if (lock_.take() != format::LockResult::kTaken) {
         path_ = path;
         return true;

@@ -9,20 +9,20 @@
 
 namespace pointrt {
 
-/// The autosave of one open scene. Each scene has up to ten, one for each program that has it open; a lock says which
-/// are in use. Without a folder that can be written nothing is saved.
+/// The autosave of one open scene. Each scene has up to ten, one for each program that has it open; a lock marks those
+/// in use. Nothing is saved if the folder is not writable.
 class Autosave {
 public:
-    /// folder: of autosaves; "" for none. scene: path that the scene is known by.
+    /// folder: of autosaves; "" for none. scene: the path by which users know the scene.
     Autosave(const std::string& folder, const std::string& scene);
-    /// Keeps the file.
+    /// Does not delete the file.
     ~Autosave();
     Autosave(const Autosave&) = delete;
     Autosave& operator=(const Autosave&) = delete;
 
     /// Path of the scene file with unsaved edits from a session that crashed; empty if there is none.
     const std::string& left() const { return left_; }
-    /// Where write puts the scene; empty if nowhere.
+    /// The path that write uses; empty: none.
     const std::string& path() const { return path_; }
     /// Throws Error as writeSceneFile does.
     void write(const SceneDescription& scene);
@@ -32,7 +32,7 @@ public:
 private:
     bool take(const std::string& path);
 
-    std::string path_; ///< "": none could be taken
+    std::string path_; ///< "": none was available
     std::string left_;
     format::FileLock lock_;
 };

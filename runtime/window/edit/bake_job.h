@@ -15,7 +15,7 @@ namespace pointrt {
 enum class BakeDetail : std::uint8_t { kAll, kQuick };
 
 /// Runs bakeCached. Leaves no partial file when cancelled: pointrt-bake gets SIGTERM, and SIGKILL after three seconds;
-/// if it is already writing its output, it finishes it.
+/// if it is already writing its output, it completes that.
 class BakeJob {
 public:
     explicit BakeJob(const ScanBake& bake, BakeDetail detail = BakeDetail::kAll,
@@ -25,7 +25,7 @@ public:
     const Job& job() const { return job_; }
     /// The .pro in the cache, once the job is done.
     const std::string& output() const { return output_; }
-    /// Whether the output is a quick bake. What is cached or small is never baked quickly.
+    /// Whether the output is a quick bake. Cached and small scans are never baked quickly.
     bool isQuick() const { return is_quick_; }
 
 private:

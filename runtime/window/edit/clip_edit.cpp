@@ -21,7 +21,7 @@ Vec3 nearestClipAxis(Vec3 v) {
 double& coordinate(Vec3& v, std::size_t axis) { return axis == 0 ? v.x : axis == 1 ? v.y : v.z; }
 
 ClipDescription newClipBox(Vec3 low, Vec3 high) {
-    // a scan in a plane has no height: each edge is at least a thousandth of the diagonal
+    // a flat scan has no height: each edge is at least a thousandth of the diagonal
     const double least = std::max(1e-3 * length(high - low), 1e-9), half = least / 2;
     for (std::size_t axis = 0; axis < 3; ++axis) {
         if (coordinate(high, axis) - coordinate(low, axis) >= least) continue;
@@ -41,7 +41,7 @@ void setBoxSide(ClipBox& box, std::size_t axis, bool is_high, double value, doub
     Vec3& side = is_high ? box.high : box.low;
     const double other = coordinate(is_high ? box.low : box.high, axis);
     const double limited = is_high ? std::max(value, other + least) : std::min(value, other - least);
-    // the box turns about its centre, which moves by half of the way: along the turned axis, not the box's own
+    // the box rotates about its centre, which moves by half of the step, along the rotated axis
     Vec3 half_way;
     coordinate(half_way, axis) = (limited - coordinate(side, axis)) / 2;
     const std::array<Vec3, 3>& r = box.rotation;

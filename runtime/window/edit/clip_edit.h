@@ -8,20 +8,20 @@
 
 namespace pointrt {
 
-/// A box around the scan, from which nothing is cut yet. low, high: bounds of the scan, world units.
+/// A box around the scan, which cuts nothing yet. low, high: bounds of the scan, world units.
 ClipDescription newClipBox(Vec3 low, Vec3 high);
 
 /// A place on a surface, and its normal, of unit length.
 struct ClipSurface {
     Vec3 position, normal;
 };
-/// A plane through a picked place, along the surface there but square to the nearest axis, that cuts away what is in
-/// front of it for the viewer. Without a pick a level plane through the middle of the scan that keeps what is below.
-/// forward: of the camera; up: of the scene; both of unit length
+/// A plane through a picked place, along the surface there but perpendicular to the nearest axis, that cuts away what
+/// is in front of it as seen by the viewer. Without a pick, a level plane through the middle of the scan that keeps the
+/// part below. forward: of the camera; up: of the scene; both of unit length
 ClipDescription newClipPlane(const std::optional<ClipSurface>& picked, Vec3 forward, Vec3 middle, Vec3 up);
 
-/// Moves one side of a box along its own axis; the other sides stay where they are, also if the box is turned. The box
-/// keeps at least `least` between the two, above 0.
+/// Moves one side of a box along its own axis; the other sides stay where they are, also if the box is rotated. The box
+/// stays at least `least` thick, which is above 0.
 /// @param axis 0, 1, 2: x, y, z
 void setBoxSide(ClipBox& box, std::size_t axis, bool is_high, double value, double least);
 

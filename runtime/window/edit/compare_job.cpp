@@ -12,7 +12,7 @@
 namespace pointrt {
 namespace {
 
-/// A scene of one scan, placed as in scene and whole.
+/// A scene with one scan, placed as in scene but not clipped.
 SceneDescription sceneOf(const SceneDescription& scene, std::size_t number) {
     SceneDescription alone;
     alone.instances = {bareScan(scene.instances.at(number))};

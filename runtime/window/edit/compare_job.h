@@ -10,7 +10,7 @@
 
 namespace pointrt {
 
-/// Whether a scan can get distances from others: tile sets and Gaussians cannot.
+/// Whether distances from other scans can be computed for a scan: not for tile sets and Gaussians.
 bool mayCompare(const InstanceDescription& scan);
 
 /// Runs pointrt-rays compare: the distances of the compared scan's splats from the reference's surface become an

@@ -8,7 +8,7 @@
 
 namespace pointrt {
 
-/// A history of states, which are compared to find edits: == must ignore what is no edit.
+/// A history of states. It compares states to detect edits: == must ignore changes that are not edits.
 template <typename State>
 class EditHistory {
 public:
@@ -41,9 +41,9 @@ public:
         saved_ = current_;
         is_saved_anywhere_ = true;
     }
-    /// The state that was opened is not saved.
+    /// Treats the opened state as unsaved.
     void markUnsaved() { is_saved_anywhere_ = false; }
-    /// Whether state is in no file.
+    /// Whether state is not saved in any file.
     bool isModified(const State& state) const { return !is_saved_anywhere_ || !(state == saved_); }
 
 private:

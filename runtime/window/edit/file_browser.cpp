@@ -17,7 +17,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Pictures, videos, documents and programs, beside which scans lie. All others may be scans, whatever they are named.
+/// Suffixes of pictures, videos, documents and programs that may lie beside scans. Files with any other name may be
+/// scans.
 constexpr std::string_view kNoScans[] = {".png",  ".jpg",  ".jpeg", ".exr", ".webp", ".gif",     ".bmp", ".mp4",
                                          ".webm", ".mov",  ".svg",  ".dxf", ".dwg",  ".geojson", ".pdf", ".md",
                                          ".html", ".docx", ".xlsx", ".zip", ".gz",   ".7z",      ".deb", ".exe",

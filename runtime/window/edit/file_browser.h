@@ -14,7 +14,7 @@ struct FileBrowser {
         bool chosen = false;
     };
     std::string folder;         ///< absolute
-    std::vector<Entry> entries; ///< folders first, in natural order, without hidden ones and files that are no scans
+    std::vector<Entry> entries; ///< folders first, in natural order, without hidden files and files that are not scans
     std::string error;          ///< why the folder cannot be read; empty: it was
 };
 

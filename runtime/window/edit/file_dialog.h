@@ -16,7 +16,7 @@ namespace pointrt {
 std::vector<std::string> dialogCommand(const std::string& folder, const std::string& search_path,
                                        const std::string& desktop);
 
-/// The paths that a dialog has printed, one a line; its other lines are warnings of its toolkit.
+/// The paths that a dialog printed, one per line; its other lines are warnings of its toolkit.
 std::vector<std::string> pathsIn(const std::string& output);
 
 /// A dialog that is open.

@@ -52,7 +52,7 @@ bool naturallyLess(std::string_view a, std::string_view b) {
         right.remove_prefix(1);
     }
     if (left.empty() != right.empty()) return left.empty();
-    return a < b; // 01 and 1
+    return a < b; // equal numbers, such as 01 and 1
 }
 
 std::vector<std::string> sceneFiles(const std::string& folder) {
@@ -68,12 +68,13 @@ std::vector<std::string> sceneFiles(const std::string& folder) {
 std::string neighbourFile(const std::string& path, int step) {
     const fs::path full_path(path);
     const std::vector<std::string> files = sceneFiles(full_path.parent_path().string());
-    const std::string name = (full_path.parent_path() / full_path.filename()).string(); // as sceneFiles writes it
+    // in the form that sceneFiles uses
+    const std::string name = (full_path.parent_path() / full_path.filename()).string();
     const auto at = std::lower_bound(files.begin(), files.end(), name, naturallyLess);
     const bool found = at != files.end() && *at == name;
     const auto count = static_cast<std::ptrdiff_t>(files.size());
     if (count == 0) return {};
-    // a deleted file lies between two others
+    // a deleted file's place is between two others
     const std::ptrdiff_t from = at - files.begin() - (!found && step > 0 ? 1 : 0);
     const std::string& next = files[static_cast<std::size_t>(((from + step) % count + count) % count)];
     return next == name ? std::string() : next;

@@ -14,7 +14,7 @@
 namespace pointrt {
 namespace {
 
-/// Finds mistakes before a job starts.
+/// Reports mistakes before a job starts.
 void requireScans(const ScanBake& scans) {
     std::error_code failure;
     for (const std::string& scan : scans.scans)
@@ -71,7 +71,7 @@ void FileOpener::bake(const ScanBake& scans) {
             if (end.state() == JobState::kFailed || (end.state() == JobState::kDone && job->isQuick()))
                 bakeFully(scans, end.state() == JobState::kDone);
         };
-        started.fails_silently = true; // the full bake says why
+        started.fails_silently = true; // the full bake will report the reason
         return started;
     });
 }

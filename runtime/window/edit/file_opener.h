@@ -15,12 +15,12 @@ namespace pointrt {
 /// A scene to load.
 struct SceneSource {
     std::string path;
-    std::string source;                  ///< what users know it by, such as the scan it was baked from; empty: by path
-    bool is_autosave = false;            ///< path has edits of source that are in no file of the user
-    bool is_quick = false;               ///< path is a quick bake of source
-    bool follows_quick = false;          ///< the full bake, after a quick one
+    std::string source;         ///< the name by which users know it, such as the scan it was baked from; empty: path
+    bool is_autosave = false;   ///< path contains edits of source that are in no file of the user
+    bool is_quick = false;      ///< path is a quick bake of source
+    bool follows_quick = false; ///< it is the full bake after a quick one
     std::vector<std::string> added = {}; ///< further scans (.pro, .proset) beside path
-    bool only_view = false;              ///< of an autosave: it differs from source in the view alone
+    bool only_view = false;              ///< of an autosave: only the view differs from source
 
     const std::string& name() const { return source.empty() ? path : source; }
 };
@@ -36,9 +36,9 @@ public:
     /// Loads a scene, instead of one that is still loading.
     void open(const SceneSource& scene);
     /// The same for the scene of the command line, or for its scans, which are baked first: quickly, to have something
-    /// to show, then fully. Errors are thrown, from here or from JobQueue::poll, while there is nothing else to show.
+    /// to show, then fully. While nothing else is shown, errors are thrown, from here or from JobQueue::poll.
     void openNamed(const ScanBake& inputs);
-    /// Opens baked scans together, each as a layer, or a scene file, which must be alone. All others are scans to bake
+    /// Opens baked scans together, each as a layer, or a scene file, which must be alone. Other files are scans to bake
     /// together.
     void drop(const std::vector<std::string>& paths);
     /// Whether the scene of this name was baked from scans that can be baked again.
@@ -56,8 +56,8 @@ private:
     JobQueue& jobs_;
     JobQueue::Notify notify_;
     StartLoad load_;
-    std::optional<ScanBake> baked_; ///< last
-    std::string current_;           ///< name of the scene opened last
+    std::optional<ScanBake> baked_; ///< the last scans that were baked
+    std::string current_;           ///< name of the last scene opened
     bool first_ = false;
 };
 

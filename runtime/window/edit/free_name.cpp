@@ -25,7 +25,7 @@ std::string freeName(const std::string& path, const std::vector<std::string>& en
     for (int number = 1; number <= kMaxNumber; ++number) {
         const std::string name = stem + "-" + std::to_string(number);
         bool taken = false;
-        std::error_code ignored; // if the check fails, so will writing, with a better message
+        std::error_code ignored; // if the check fails, writing will fail too, with a better message
         for (const std::string& ending : endings) taken |= fs::exists(name + ending, ignored);
         if (!taken) return name;
     }

@@ -77,14 +77,14 @@ private:
     const std::string title_;
     const bool can_cancel_;
     JobControl control_;
-    std::jthread thread_; ///< last, so that it ends before the others are destroyed
+    std::jthread thread_; ///< declared last, so that it ends before the others are destroyed
 };
 
 /// Throws the job's error if it failed.
 void throwIfFailed(const Job& job);
 
 /// Estimated seconds left at now_s, if share was done at reported_s and the speed stays the same; both in seconds since
-/// the start. None while it is too early to tell.
+/// the start. nullopt while it is too early for an estimate.
 std::optional<double> secondsLeft(double share, double reported_s, double now_s);
 
 } // namespace pointrt

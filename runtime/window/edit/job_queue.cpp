@@ -8,7 +8,7 @@ namespace pointrt {
 
 JobQueue::~JobQueue() {
     for (Slot& each : slots_)
-        if (each.running) each.running->job->cancel(); // all first, so that their threads end in parallel
+        if (each.running) each.running->job->cancel(); // cancels all first, so that their threads end in parallel
 }
 
 bool JobQueue::start(JobKind kind, const JobStart& start) {
@@ -42,7 +42,8 @@ bool JobQueue::mayStart(std::size_t kind) const {
 }
 
 void JobQueue::poll() {
-    for (auto each = slots_.rbegin(); each != slots_.rend(); ++each) // in reverse: a finished bake enqueues a load
+    // in reverse order, since a finished bake enqueues a load
+    for (auto each = slots_.rbegin(); each != slots_.rend(); ++each)
         if (each->running && each->running->job->ended()) end(*each);
     for (std::size_t kind = 0; kind < kJobKinds; ++kind)
         if (slots_[kind].waiting && mayStart(kind)) slots_[kind].running = std::exchange(slots_[kind].waiting, {})();

@@ -15,8 +15,8 @@
 
 namespace pointrt {
 
-/// At most one job of each kind runs. The display shows, and Cancel cancels, the first running one in this order, never
-/// tiles, which are loaded all the time.
+/// At most one job of each kind runs. The display shows, and Cancel cancels, the first running one in this order, but
+/// never tiles, which are loaded all the time.
 enum class JobKind : std::uint8_t { kLoad, kSceneUpdate, kBake, kStudy, kTurntable, kSave, kTiles, kCount };
 constexpr std::size_t kJobKinds = static_cast<std::size_t>(JobKind::kCount);
 

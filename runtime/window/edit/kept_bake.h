@@ -7,7 +7,7 @@
 
 namespace pointrt {
 
-/// Gives each cached bake that scene names a file in the current folder, named after the scan: statue.pro for
+/// For each cached bake that scene names, creates a file in the current folder, named after the scan: statue.pro for
 /// statue.ply, or statue-1.pro and so on if that is another file. Throws Error kCannotWrite.
 void keepBakes(SceneDescription& scene, const FileCache& cache);
 

@@ -42,14 +42,14 @@ struct Bearing {
 Bearing bearingOf(Vec3 direction, Vec3 up);
 Vec3 directionOf(Bearing bearing, Vec3 up);
 
-/// What newLight places a light for: the scene's bounding sphere, and the camera's axes.
+/// Where newLight places a light: the scene's bounding sphere, and the camera's axes.
 struct LitScene {
     Vec3 centre, up;                  ///< up: unit length
     double radius = 1;                ///< above 0
     Vec3 eye_right, eye_up, eye_back; ///< orthonormal
 };
-/// A light of this kind (by index) above the viewer's left shoulder, aimed at the scene's centre, of brightness 0.7
-/// there.
+/// A light of the kind with this index, above the viewer's left shoulder and aimed at the scene's centre, where its
+/// brightness is 0.7.
 LightDescription newLight(std::size_t kind, const LitScene& scene);
 
 } // namespace pointrt

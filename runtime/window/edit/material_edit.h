@@ -16,7 +16,7 @@ struct InstanceRange {
     std::size_t first = 0, count = 1;
 };
 
-/// True if an instance outside range, a part of any instance, or a shape uses material.
+/// True if material is used by an instance outside range, by a part of any instance, or by a shape.
 bool usedBeside(const SceneDescription& scene, InstanceRange range, std::uint32_t material);
 
 /// True if a shape uses material.

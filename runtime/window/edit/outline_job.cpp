@@ -12,7 +12,7 @@
 namespace pointrt {
 namespace {
 
-/// The visible scans as they are placed, whole.
+/// The visible scans in their places, without clips.
 SceneDescription scansOf(const SceneDescription& scene) {
     SceneDescription scans;
     scans.up = scene.up;
@@ -31,7 +31,7 @@ void draw(const SceneDescription& scene, const std::string& plane, const std::st
 } // namespace
 
 std::optional<std::string> planeOption(const ClipPlane& plane) {
-    constexpr double kSquare = 1 - 1e-9; // cosine of the angle to an axis, but for rounding
+    constexpr double kSquare = 1 - 1e-9; // cosine of the angle to an axis, within rounding
     const std::array<double, 3> normal{plane.normal.x, plane.normal.y, plane.normal.z};
     const std::array<double, 3> point{plane.point.x, plane.point.y, plane.point.z};
     for (std::size_t axis = 0; axis < 3; ++axis) {

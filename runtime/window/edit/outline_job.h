@@ -11,7 +11,8 @@
 
 namespace pointrt {
 
-/// The plane as --plane of pointrt-rays section names it, such as "z=1.2". None if it is not square to an axis.
+/// The plane in the notation of pointrt-rays section --plane, such as "z=1.2". None if it is not perpendicular to an
+/// axis.
 std::optional<std::string> planeOption(const ClipPlane& plane);
 
 /// Runs pointrt-rays section on the scans of a scene, without its clips: NAME.dxf in their coordinates, and NAME.svg.

@@ -14,7 +14,7 @@
 namespace pointrt {
 namespace {
 
-/// With as many digits as the file's type has.
+/// With as many digits as the attribute's type has.
 std::string shortText(double number, const pro_attribute& attribute) {
     constexpr int kFloatDigits = 7, kDoubleDigits = 15, kHeightDigits = 9; // heights are stored in 21 bits
     const int digits = !attribute.values                ? kHeightDigits
@@ -60,7 +60,7 @@ std::string sourceName(const SceneDescription& scene, const std::string& path) {
 /// row: of the shape on the device.
 std::string shapeName(const SceneDescription& scene, std::uint32_t row) {
     const std::vector<std::size_t> shown = shownShapes(scene);
-    return row < shown.size() ? layerName(scene, {LayerKind::kShape, shown[row]}) : "shape"; // of a lamp
+    return row < shown.size() ? layerName(scene, {LayerKind::kShape, shown[row]}) : "shape"; // the surface of a lamp
 }
 
 void describeSplat(const DeviceScene& scene, const Pick& pick, PickedPoint& point) {

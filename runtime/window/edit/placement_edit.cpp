@@ -8,7 +8,7 @@
 namespace pointrt {
 namespace {
 
-/// placement with the pivot back at a place.
+/// placement, shifted so that the pivot is at a place.
 Placement heldAt(Placement placement, Vec3 pivot, Vec3 place) {
     placement.translation = placement.translation + (place - placed(placement, pivot));
     return placement;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Edits of a scan's placement; render_space.h has where a point of it is placed.
+// Edits of a scan's placement; the position of its points is in render_space.h.
 #pragma once
 
 #include <array>
@@ -9,8 +9,8 @@
 
 namespace pointrt {
 
-/// A rotation, as orthonormal rows, with its columns turned by turn(column), in the world. Rounding is kept from adding
-/// up.
+/// A rotation, as orthonormal rows, after turn(column) has rotated its columns in the world. Keeps rounding errors from
+/// adding up.
 template <typename Turn>
 std::array<Vec3, 3> turnedColumns(const std::array<Vec3, 3>& rows, const Turn& turn) {
     Vec3 x{rows[0].x, rows[1].x, rows[2].x}, rough{rows[0].y, rows[1].y, rows[2].y};
@@ -21,10 +21,10 @@ std::array<Vec3, 3> turnedColumns(const std::array<Vec3, 3>& rows, const Turn& t
     return {Vec3{x.x, y.x, z.x}, Vec3{x.y, y.y, z.y}, Vec3{x.z, y.z, z.z}};
 }
 
-/// Turned about an axis (unit length, world) through a point of the scan, given in its own coordinates.
+/// placement rotated about an axis (unit length, world) through a point of the scan, given in the scan's coordinates.
 Placement turned(const Placement& placement, Vec3 pivot, Vec3 axis, double degrees);
 
-/// With another scale, above 0; the pivot stays in place.
+/// placement with another scale, above 0; the pivot stays in place.
 Placement scaledTo(const Placement& placement, Vec3 pivot, double scale);
 
 } // namespace pointrt

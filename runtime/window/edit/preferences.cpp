@@ -37,7 +37,7 @@ void readLine(const std::string& line, Workspace& work) {
 void readPreferences(const std::string& folder, Workspace& work) {
     if (folder.empty()) return;
     std::ifstream file(filePath(folder));
-    constexpr int kMostLines = 1000; // a file of something else is not read on and on
+    constexpr int kMostLines = 1000; // limit for files that are not preferences
     int lines = 0;
     for (std::string line; lines < kMostLines && std::getline(file, line); ++lines) readLine(line, work);
 }

@@ -8,11 +8,11 @@
 
 namespace pointrt {
 
-/// Reads them from the file "window" in folder. Lines it does not know are ignored, also those of other versions.
+/// Reads them from the file "window" in folder. Unknown lines are ignored, such as those of other versions.
 /// @param folder the user's state folder; may be empty
 void readPreferences(const std::string& folder, Workspace& work);
 
-/// Writes them; a file that cannot be written stays as it was.
+/// Writes them; if the file cannot be written, it stays as it was.
 void writePreferences(const std::string& folder, const Workspace& work);
 
 } // namespace pointrt

@@ -10,7 +10,7 @@
 
 namespace pointrt {
 
-/// A scan as it is placed, without what only pictures show: a scene file of it needs no materials.
+/// The scan in its place, without properties that only pictures show: a scene file of it needs no materials.
 InstanceDescription bareScan(InstanceDescription scan);
 
 /// Runs a command of pointrt-rays and reports its progress if it is verbose. Throws Error with its reason, or

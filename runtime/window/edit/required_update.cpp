@@ -9,7 +9,7 @@ RequiredUpdate requiredUpdate(const DeviceScene& scene, Integrator integrator, c
                               const RenderSettings& settings) {
     if (!haveSameFiles(scene.description, description)) return {UpdateKind::kReload, {}};
     const bool moves = !haveSamePlacements(scene.description, description);
-    // colours by height are painted anew, and sets take other tiles
+    // colours by height must be painted again, and sets need other tiles
     if (moves && (paintsScans(description, settings) || !scene.sets.empty())) return {UpdateKind::kPrograms, {}};
     const std::string sky_image = description.sky ? description.sky->image : std::string();
     if (settings.integrator != integrator || sky_image != scene.sky_image) return {UpdateKind::kPrograms, {}};
@@ -23,7 +23,7 @@ RequiredUpdate requiredUpdate(const DeviceScene& scene, Integrator integrator, c
 UpdateStep nextUpdateStep(UpdateKind kind, bool dragging, bool lacks_photons) {
     if (kind == UpdateKind::kTables || kind == UpdateKind::kPlacements) return UpdateStep::kUpload;
     if (dragging || (kind == UpdateKind::kNothing && !lacks_photons)) return UpdateStep::kNothing;
-    return UpdateStep::kSceneUpdate; // for kReload the job fails with a message
+    return UpdateStep::kSceneUpdate; // with kReload, the job fails with a message
 }
 
 } // namespace pointrt

@@ -13,8 +13,8 @@ namespace pointrt {
 enum class UpdateKind : std::uint8_t {
     kNothing,
     kTables,     ///< tables of materials, shapes and lights: a few milliseconds
-    kPlacements, ///< tables, and where scans lie: as fast
-    kPrograms,   ///< shader programs, the sky's image or splat colours as well: needs a job
+    kPlacements, ///< tables, and the places of scans: as fast
+    kPrograms,   ///< also shader programs, the sky's image or splat colours: needs a job
     kReload      ///< other scans: the scene must be reloaded
 };
 
@@ -23,7 +23,7 @@ struct RequiredUpdate {
     SceneRows rows; ///< for kTables
 };
 
-/// The update that brings scene, with its programs for this integrator, to description and settings. Throws Error
+/// The update that makes scene, with its programs for this integrator, match description and settings. Throws Error
 /// kBadInput as makeSceneRows does.
 RequiredUpdate requiredUpdate(const DeviceScene& scene, Integrator integrator, const SceneDescription& description,
                               const RenderSettings& settings);
@@ -31,7 +31,7 @@ RequiredUpdate requiredUpdate(const DeviceScene& scene, Integrator integrator, c
 /// What to do in this frame.
 enum class UpdateStep : std::uint8_t {
     kNothing,     ///< nothing to do, or wait until the user releases the mouse
-    kUpload,      ///< bring the tables up to date now
+    kUpload,      ///< update the tables now
     kSceneUpdate, ///< start the job that updates everything
 };
 

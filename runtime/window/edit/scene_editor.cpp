@@ -18,14 +18,14 @@
 namespace pointrt {
 namespace {
 
-/// Removes unused materials at the end of the list: those of a former room.
+/// Removes unused materials at the end of the list, which a former room used.
 void dropUnused(SceneDescription& scene, std::size_t fewest) {
     while (scene.materials.size() > fewest &&
            !usesMaterial(scene, static_cast<std::uint32_t>(scene.materials.size() - 1)))
         scene.materials.pop_back();
 }
 
-/// A saved scene contains its surroundings: the window offers them as the choice that they were made by.
+/// A saved scene contains its surroundings: the window shows them as the choice that created them.
 void takeOutSurroundings(OpenedScene& opened) {
     const std::optional<AddedSurroundings> added = opened.file_scene.surroundings;
     if (!added) return;
@@ -113,7 +113,7 @@ bool SceneEditor::restore(const EditState* state) {
     work_.denoise = state->denoise;
     work_.target_samples = state->target_samples;
     const Surroundings& surroundings = state->surroundings;
-    if (work_.scene_up != state->scene_up) { // the view would be tilted
+    if (work_.scene_up != state->scene_up) { // else the view would be tilted
         const Vec3 centre = 0.5 * (work_.scene_min + work_.scene_max);
         work_.camera = viewOf(surroundings.camera, centre, work_.scene_min, work_.scene_max, state->scene_up);
     }
@@ -138,7 +138,7 @@ void SceneEditor::noteEdits() {
 }
 
 bool SceneEditor::undo() {
-    noteEdits(); // what is not complete yet is undone first
+    noteEdits(); // edits in progress are undone first
     return restore(history_.undo());
 }
 
@@ -221,7 +221,7 @@ void SceneEditor::setUp(Vec3 up, ViewCamera& home, double aspect) {
     request.target = centre;
     request.up = up;
     double pivot_offset = 0;
-    if (!opened_->sample.splats.empty()) { // reframe, with home's lens
+    if (!opened_->sample.splats.empty()) { // frames the scene again, with home's lens
         request.eye.reset();
         request.target.reset();
         request.ortho_height.reset();

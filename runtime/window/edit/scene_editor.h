@@ -35,9 +35,9 @@ struct RoomLights {
     std::optional<SkyDescription> sky;
 };
 
-/// What the surroundings were made for and with.
+/// The inputs from which the surroundings were made.
 struct Surroundings {
-    SceneDescription resolved; ///< the scene as the last rebuild of surroundings left it
+    SceneDescription resolved; ///< the scene after the last rebuild of the surroundings
     std::optional<Vec3> up;
     Camera camera;
     Vec3 resolved_for_eye;
@@ -91,18 +91,19 @@ public:
     /// False if there is nothing to undo or redo.
     bool undo();
     bool redo();
-    /// The edits up to now are in a file.
+    /// Marks the current edits as saved.
     void markSaved();
-    /// The scene as opened is in no file that the user knows.
+    /// Marks the scene as opened as unsaved: it is in no file that the user knows.
     void markUnsaved() { history_.markUnsaved(); }
     bool isModified() const;
     /// Changes with each edit.
     std::uint64_t revision() const { return revision_; }
 
-    /// The same for a finer bake of the same scan; keeps the edits, and the view unless it is home, that of the former.
+    /// The same for a finer bake of the same scan. Keeps the edits, and keeps the view unless it is the former scene's
+    /// home.
     ViewCamera refine(OpenedScene opened, std::uint32_t samples, const ViewCamera& home);
 
-    /// Whether view shows any of the scans, as far as their sample tells: never false while it does.
+    /// Whether view shows any of the scans, judged by their sample: never false if it does.
     bool seesScans(const ViewCamera& view, ViewSize size) const;
 
 private:
@@ -113,7 +114,7 @@ private:
     bool hasFileLights() const { return !opened_->file_scene.lights.empty() || opened_->file_scene.sky; }
 
     Workspace& work_;
-    std::optional<OpenedScene> opened_; ///< opened_->resolved: the scene as the last rebuild of surroundings left it
+    std::optional<OpenedScene> opened_; ///< opened_->resolved: the scene after the last rebuild of the surroundings
     std::optional<Room> current_room_;
     std::optional<std::uint32_t> current_light_count_;
     std::vector<RoomLights> room_lights_;

@@ -9,7 +9,7 @@
 namespace pointrt {
 namespace {
 
-/// A name that no material has: those that differ can be told apart in lists.
+/// A new material name, so that materials can be distinguished in lists.
 std::string freeMaterialName(const SceneDescription& scene) {
     std::size_t number = 1;
     while (isMaterialNamed(scene, "shape " + std::to_string(number))) ++number;

@@ -6,18 +6,18 @@
 
 namespace pointrt {
 
-/// Where a shape is put: on a surface, at a point of it with the outward normal, upright.
+/// Where to put a shape: upright on a surface, at a point with this outward normal.
 struct ShapePlace {
     Vec3 point, normal, up; ///< both of unit length
     Vec3 towards_eye;       ///< any length, not along up: panes face it
     double size = 1;        ///< diameter, or the longest edge; above 0
 };
 
-/// The kinds that can be put into a scene: planes have no end, and are floors.
+/// The kinds that can be put into a scene. Planes cannot: they are infinite, and are floors.
 inline constexpr ShapeKind kInsertedShapes[] = {ShapeKind::kSphere, ShapeKind::kBox, ShapeKind::kQuad,
                                                 ShapeKind::kDisc};
 
-/// Adds a matte shape that rests on the surface, with a material of its own. mayAddShape (layers.h) must hold.
+/// Adds a matte shape that rests on the surface, with its own material. mayAddShape (layers.h) must be true.
 void addShape(SceneDescription& scene, ShapeKind kind, const ShapePlace& place);
 
 /// Moves a shape so that it rests on a surface at a point with this outward normal, of unit length.

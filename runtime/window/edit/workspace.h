@@ -85,16 +85,16 @@ struct Still {
 struct Requests {
     bool scene_changed = false;    ///< lights, materials, shapes or sky were edited
     bool settings_changed = false; ///< settings were edited (integrator, bounces, room, shadows, caustics...)
-    bool look_changed = false;     ///< look or denoise: show the same light another way
+    bool look_changed = false;     ///< look or denoise: show the same light in another way
     bool dragging = false;         ///< an edit is in progress: more changes of its kind follow
     bool typing = false;           ///< a text field has the keyboard
     bool undo = false, redo = false;
-    bool open = false;                   ///< ask for files to open
+    bool open = false;                   ///< show the dialog for files to open
     std::optional<Action> action;        ///< chosen from a list
     std::optional<std::string> browse;   ///< folder for the browser
     std::vector<std::string> open_files; ///< chosen in the browser
     std::optional<Vec3> up;              ///< new up axis
-    bool keep_measurement = false;       ///< the picks become a part of the scene
+    bool keep_measurement = false;       ///< make the picks a part of the scene
     bool save_measurement = false;
     bool save_scene = false, screenshot = false, save_view = false, home = false, quit = false;
     bool cancel_job = false;
@@ -102,9 +102,9 @@ struct Requests {
     std::optional<std::size_t> open_recent;             ///< index into recent_files
     std::optional<std::size_t> go_to_view, delete_view; ///< indices into scene.views
     bool find_place = false;                            ///< earth_place of the scene
-    bool add_still = false;                             ///< to work.stills
-    bool follows_views = false;                         ///< of turntable_pictures: through the views
-    std::optional<std::string> bake_again;              ///< with this kind of splats
+    bool add_still = false;                             ///< add it to work.stills
+    bool follows_views = false;                         ///< turntable_pictures follow the views
+    std::optional<std::string> bake_again;              ///< bake again with this kind of splats
     std::optional<std::size_t> save_outline;            ///< number of a clip
     std::optional<Comparison> compare;
     std::optional<std::uint32_t> turntable_pictures; ///< number of frames to render to turntable_path
@@ -123,7 +123,8 @@ struct Workspace {
     bool show_panel = true, show_cheat_sheet = false, show_hud = true;
     bool show_palette = false;
     bool light_theme = false;
-    std::map<std::string, bool> open_sections; ///< of the panel, by name; others are as they are by default
+    /// Sections of the panel by name: whether they are open; others have their defaults.
+    std::map<std::string, bool> open_sections;
     bool pin_measurement = false;
     std::vector<PickedPoint> picks;       ///< oldest first; the last two, or all of a path with pin_measurement
     MeasureUnits measure_units;           ///< of the scene that is open
@@ -139,14 +140,14 @@ struct Workspace {
     PixelSize still_size{3840, 2160};
     std::vector<Still> stills; ///< in their order
     bool can_undo = false, can_redo = false;
-    std::optional<EarthPlace> earth_place;          ///< of the scans, once it was sought
-    bool place_sought = false, place_taken = false; ///< taken: by the sun's sliders
+    std::optional<EarthPlace> earth_place;          ///< of the scans, if it was determined
+    bool place_sought = false, place_taken = false; ///< place_taken: used by the sun's sliders
     bool may_bake_again = false;
     bool scan_in_view = true;    ///< false: the camera looks past the scans
     bool only_gaussians = false; ///< see StudioSubject
     std::vector<Notice> notices;
-    std::string turntable_path = "turntable/%04d.png"; ///< or a video; beside the scene when one is opened
-    std::optional<std::size_t> shown_view;             ///< of scene.views, gone to last
+    std::string turntable_path = "turntable/%04d.png"; ///< or a video; it is beside the scene when a scene is opened
+    std::optional<std::size_t> shown_view;             ///< in scene.views: the last one gone to
     std::string view_name;                             ///< for the next saved view; empty: "view N"
     std::string title;                                 ///< the file's name
     double time_s = 0;                                 ///< the window's clock

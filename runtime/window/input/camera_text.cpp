@@ -17,7 +17,7 @@
 namespace pointrt {
 namespace {
 
-constexpr std::size_t kMaxText = 4096; // ten numbers of at most 24 characters, and generous white space
+constexpr std::size_t kMaxText = 4096; // enough for ten numbers of at most 24 characters and much white space
 
 using OptionWords = std::map<std::string, std::string>;
 
@@ -43,8 +43,8 @@ std::vector<std::string> wordsOf(const std::string& text) {
             parted = true;
             continue;
         }
-        const bool goes_on = !words.empty() && (c == ',' || words.back().back() == ',');
-        if (parted && !goes_on) words.emplace_back();
+        const bool continues = !words.empty() && (c == ',' || words.back().back() == ',');
+        if (parted && !continues) words.emplace_back();
         words.back() += c;
         parted = false;
     }
@@ -65,7 +65,7 @@ OptionWords optionsOf(const std::string& text) {
     }
     for (const char* needed : {"--eye", "--target"})
         if (!options.contains(needed)) refuseCamera(std::string(needed) + " is missing");
-    if (options.contains("--fov") && options.contains("--ortho")) refuseCamera("--fov and --ortho exclude each other");
+    if (options.contains("--fov") && options.contains("--ortho")) refuseCamera("--fov and --ortho cannot be combined");
     return options;
 }
 
@@ -94,7 +94,7 @@ CameraRequest requestedBy(const OptionWords& options, const ViewCamera& view) {
     return request;
 }
 
-/// True if the new view is along view's up axis, so that up is only a roll of the picture.
+/// True if the new view is along view's up axis, where up only rolls the picture.
 bool rollsOnly(const ViewCamera& view, const CameraRequest& request) {
     ViewCamera there = view;
     there.eye = *request.eye;

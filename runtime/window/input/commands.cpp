@@ -19,7 +19,7 @@ constexpr FlyKey kFlyKeys[] = {{Action::kFlyForward, {0, 0, 1}}, {Action::kFlyBa
                                {Action::kFlyRight, {1, 0, 0}},   {Action::kFlyLeft, {-1, 0, 0}},
                                {Action::kFlyUp, {0, 1, 0}},      {Action::kFlyDown, {0, -1, 0}}};
 
-/// With Ctrl no key flies: Ctrl + S saves.
+/// With Ctrl, keys do not fly: Ctrl + S saves.
 Vec3 heldDirection(const ControlState& state) {
     Vec3 direction;
     if (state.ui_wants_keyboard || isHeld(state, Key::kControl)) return direction;

@@ -43,20 +43,20 @@ struct FlyCommand {
 using Command = std::variant<OrbitCommand, LookCommand, PanCommand, ZoomCommand, PickCommand, CentreCommand, FlyCommand,
                              Action, DropEvent, ResizeEvent>;
 
-constexpr double kDoubleClick_s = 0.4;     // between the two presses
-constexpr double kDoubleClickDistance = 4; // between them, window units
-constexpr double kDragThreshold = 3;       // from the press, window units: hands shake
+constexpr double kDoubleClick_s = 0.4;     // between two presses
+constexpr double kDoubleClickDistance = 4; // between two presses, window units
+constexpr double kDragThreshold = 3;       // from the press, window units: hands tremble
 constexpr double kMaxWheelSteps = 100;     // in one event; some drivers merge a second's worth
 constexpr std::size_t kKeys = 512;         // more than the values of Key
 
 /// A button that is held, and what dragging it does.
 struct Drag {
     MouseButton button = MouseButton::kLeft;
-    double x = 0, y = 0; ///< of the press, then of the last movement used
+    double x = 0, y = 0; ///< position of the press, then of the last movement that was used
     bool with_shift = false;
     bool moving = false;       ///< past the threshold
     bool on_ui = false;        ///< started on a panel: ignored here
-    bool second_click = false; ///< has centred the view already
+    bool second_click = false; ///< it has centred the view already
 };
 
 struct ControlState {

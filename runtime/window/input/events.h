@@ -9,7 +9,7 @@
 
 namespace pointrt {
 
-/// Keys with a meaning here. Letters and digits are their ASCII codes ('A' to 'Z', '0' to '9').
+/// Keys that have a function. Letters and digits are their ASCII codes ('A' to 'Z', '0' to '9').
 enum class Key : std::uint16_t {
     kUnknown = 0,
     kSpace = ' ',
@@ -53,7 +53,7 @@ struct ButtonEvent {
 struct CursorEvent {
     double x = 0, y = 0;
 };
-/// y above 0: away from the user.
+/// y above 0: the wheel turns away from the user.
 struct WheelEvent {
     double x = 0, y = 0;
 };

@@ -27,7 +27,7 @@ public:
     const ResizeEvent& window() const { return replay_->window(); }
     /// The replay's next frame.
     ReplayFrame next(const PictureState& picture) { return replay_->next(picture); }
-    /// A replay waits until a scene that is opened again is on the screen: input meanwhile would have no effect.
+    /// In a replay, waits until a scene that is being opened again is on the screen: input would have no effect before.
     void waitForPicture() {
         if (replay_) replay_->waitForPicture();
     }

@@ -45,7 +45,7 @@ struct QuitStep {};
 using RecordedStep = std::variant<InputEvent, ScreenshotStep, WaitStep, QuitStep>;
 
 struct RecordedEvent {
-    std::uint32_t frame = 0; ///< it happens before this frame is drawn; the first is 0
+    std::uint32_t frame = 0; ///< the step happens before this frame is drawn; the first frame is 0
     RecordedStep step;
 };
 
@@ -67,7 +67,7 @@ constexpr std::size_t kMaxDropped = 1024, kMaxPathBytes = 4096, kMaxNameBytes = 
 
 /// Throws Error kBadInput "PATH:LINE: reason", or without the line if the file cannot be read.
 Recording readRecording(const std::string& path);
-/// The same for text; path is used in messages.
+/// The same for the text of a file; path is for messages.
 Recording parseRecording(std::string_view text, const std::string& path);
 
 /// The first line, and the line of an event, with \n. Values out of range are clamped to the limits above. Returns ""
@@ -88,7 +88,7 @@ struct RecordingWriter {
 
 /// Overwrites path. Throws Error kCannotWrite "PATH: reason", as record does.
 RecordingWriter openRecording(const std::string& path, const ResizeEvent& window);
-/// Events of an earlier frame than the last one are moved to the last one.
+/// Events of a frame earlier than the last recorded one are moved to that one.
 void record(RecordingWriter& writer, RecordedEvent event);
 
 } // namespace pointrt

@@ -34,7 +34,7 @@ public:
     /// The next frame. While the recording waits for samples or for a job, frames are empty and not counted. Sets quit
     /// after the last event.
     ReplayFrame next(const PictureState& picture);
-    /// Waits as after a WaitStep for one sample, unless it waits for more.
+    /// Waits as after a WaitStep for one sample, unless it already waits for more.
     void waitForPicture() { wanted_samples_ = wanted_samples_.value_or(1); }
 
 private:

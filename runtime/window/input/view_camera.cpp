@@ -23,7 +23,7 @@ constexpr double kMinRadii = 1e-4, kMaxRadii = 1e3; // distance from the pivot
 /// Maximum distance from the scene's centre. An orthographic eye can be that far again plus a radius, within
 /// frameCamera's 1e4.
 constexpr double kReachRadii = 4e3;
-/// Relative to the coordinates: leaves 1e5 doubles between eye and pivot, an angular resolution of 1e-5.
+/// Relative to the coordinates: there are then 1e5 doubles between eye and pivot, for an angular resolution of 1e-5.
 constexpr double kMinOfCoordinate = 2e-11;
 
 constexpr double kStepsToHalve = 4;
@@ -31,7 +31,7 @@ constexpr double kRadiiPerSecond = 0.5;
 /// Limits the speed near objects: half a radius per second would be 2.5 km/s in a city of 10 km.
 constexpr double kPivotsPerSecond = 1;
 constexpr double kFlyStepsPerSecond = 4; // orthographic
-constexpr double kStandingShare = 1e-9;  // more than rounding, so that a view at rest stays bit-identical
+constexpr double kStandingShare = 1e-9;  // above rounding, so that a view at rest stays bit-identical
 
 double leastDistance(const ViewCamera& view) {
     return std::max(kMinRadii * view.scene_radius, kMinOfCoordinate * length(view.scene_centre));
@@ -109,7 +109,7 @@ ViewCamera viewOf(const Camera& camera, Vec3 target, Vec3 bounds_min, Vec3 bound
     view.eye = camera.eye;
     const Vec3 to_target = target - camera.eye;
     const double ahead = dot(to_target, camera.forward);
-    const bool on_line = length(to_target - camera.forward * ahead) <= 1e-9 * ahead; // up to rounding
+    const bool on_line = length(to_target - camera.forward * ahead) <= 1e-9 * ahead; // within rounding
     const double reach = ahead > leastDistance(view) ? ahead : view.scene_radius;
     view.pivot = on_line && ahead == reach ? target : camera.eye + camera.forward * reach;
     const Vec3 axis = usableAxis(up);
@@ -271,12 +271,12 @@ ViewCamera standardView(const ViewCamera& view, StandardView which) {
 }
 
 ViewCamera fittedView(const ViewCamera& view, ViewSize size) {
-    constexpr double kMargin = 1.1; // a twentieth on each side, for the toolbar
+    constexpr double kMargin = 1.1; // a twentieth on each side is for the toolbar
     const bool is_detail =
         heightAtPivot(view) < view.scene_radius || length(view.pivot - view.scene_centre) > view.scene_radius / 2;
     if (is_detail) return view;
     const ViewAxes axes = axesOf(view);
-    // the pivot's offset moves the eye sideways, so that what is nearer moves further
+    // the pivot's offset moves the eye sideways, so that nearer objects move further
     const double aspect = size.width / size.height, offset = view.pivot_offset, slope = tangent(view) / kMargin;
     const double free_aspect = std::max(aspect - 2 * offset, 0.1);
     double height = 0, distance = leastDistance(view);

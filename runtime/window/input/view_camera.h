@@ -49,7 +49,7 @@ ViewCamera viewOf(const Camera& camera, Vec3 target, Vec3 bounds_min, Vec3 bound
 ViewCamera framedView(const CameraRequest& request, Vec3 bounds_min, Vec3 bounds_max, Vec3 scene_up, double aspect);
 
 Camera cameraOf(const ViewCamera& view);
-/// A request from which frameCamera makes cameraOf(view): for scene files and the command line.
+/// The request from which frameCamera computes cameraOf(view): for scene files and the command line.
 CameraRequest requestOf(const ViewCamera& view);
 
 ViewAxes axesOf(const ViewCamera& view);
@@ -88,8 +88,8 @@ ViewCamera withPivotOffset(const ViewCamera& view, double pivot_offset);
 
 /// Looks at the pivot from a side. kSensor leaves the view unchanged. Front is +Z, or -Y if the up axis is along Z.
 ViewCamera standardView(const ViewCamera& view, StandardView which);
-/// view moved back or closer until the scene fills the part of the picture that no panel covers. A view of less than
-/// half of the scene, or of another pivot, is of a detail and stays as it is.
+/// view moved back or closer until the scene fills the part of the picture that no panel covers. A view that shows less
+/// than half of the scene, or has another pivot, shows a detail and stays unchanged.
 ViewCamera fittedView(const ViewCamera& view, ViewSize size);
 /// Looks at the pivot from the opposite side.
 ViewCamera oppositeView(const ViewCamera& view);

@@ -14,8 +14,8 @@ struct ViewFlight {
 
 constexpr double kFlight_s = 0.3;
 
-/// The view at time_s: level throughout, eased at both ends, and exactly `to` from kFlight_s after the start. Uses to's
-/// axis and projection from the beginning; when the projection changes, objects at the pivot keep their size.
+/// The view at time_s: level throughout, eased at both ends, and exactly `to` from kFlight_s after the start. Has the
+/// axis and projection of `to` from the beginning; if the projection changes, objects at the pivot keep their size.
 ViewCamera viewAt(const ViewFlight& flight, double time_s);
 bool isFinished(const ViewFlight& flight, double time_s);
 

@@ -10,8 +10,8 @@ namespace {
 
 /// View dependence from which a pixel counts as a mirror.
 constexpr float kMirrorThreshold = 0.05f;
-/// Maximum samples to average where light is noise-free: this smooths soft shadows, and halves the error of a wrongly
-/// reprojected colour at once.
+/// Maximum number of samples to average if light is noise-free: it smooths soft shadows, and the first new sample
+/// halves the error of a wrongly reprojected colour.
 constexpr std::uint32_t kNoiselessSamples = 1;
 
 std::uint32_t sampleCount(std::uint32_t info) { return info >> kPointSamplesShift & kPointMaxSamples; }
@@ -69,7 +69,7 @@ void insertSamples(RenderCache& cache, ErrorMap& errors, const ViewProjection& v
         const std::uint32_t samples = share == 256 ? 1 : std::min(sampleCount(before) + 1, kPointMaxSamples);
         point.info |= samples << kPointSamplesShift;
         point.color = mixColors(shown, each.color, share);
-        // noise is not an error
+        // differences due to noise are not errors
         if (has_point && !blending.noisy) errors.record(x, y, difference(shown, each.color));
         cache.insert(each.pixel, depthAlongView(view, each), point);
         TileColorSum& tile = cache.tileColors()[y / TILE_SIDE * cache.tilesAcross() + x / TILE_SIDE];

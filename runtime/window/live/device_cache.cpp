@@ -52,7 +52,7 @@ std::uint32_t pixelsOf(const DeviceCache& cache) { return cache.size.width * cac
 std::uint32_t tilesAlong(std::uint32_t pixels) { return (pixels + TILE_SIDE - 1) / TILE_SIDE; }
 std::uint32_t tilesOf(const DeviceCache& cache) { return tilesAlong(cache.size.width) * tilesAlong(cache.size.height); }
 
-/// The buffers in the cache's memory and what they are called, with their bytes.
+/// The buffers in the cache's memory, with their names and sizes.
 struct CacheBuffer {
     Buffer DeviceCache::*buffer;
     const char* what;
@@ -106,7 +106,7 @@ void runGroups(VkCommandBuffer commands, const DeviceCache& cache, CacheStep ste
     recordBarrier(commands);
 }
 
-/// A lane for each of so many elements.
+/// Runs a program with a lane for each of this many elements.
 void run(VkCommandBuffer commands, const DeviceCache& cache, CacheStep step, std::uint32_t lanes,
          const gpu::ReprojectionPush& push = {}) {
     runGroups(commands, cache, step, (lanes + REPROJECT_GROUP - 1) / REPROJECT_GROUP, push);

@@ -14,7 +14,7 @@
 
 namespace pointrt {
 
-/// The programs: name here, and of the file in shaders/display.
+/// The programs: names here and of the files in shaders/display.
 #define POINTRT_CACHE_STEPS(X)                                                                                         \
     X(kReset, reset_cache)                                                                                             \
     X(kProject, project_points)                                                                                        \
@@ -53,17 +53,17 @@ struct DeviceCache {
     Buffer nearest, seen, shown, new_points, new_depths; ///< by pixel
     Buffer tiles, tile_means, errors, recorded;          ///< by tile
     Buffer priorities, row_sums;                         ///< of considered pixels, and by row of tiles
-    GpuTimer timer; ///< of each frame in flight: up to the traced pixels, and behind them
+    GpuTimer timer; ///< times each frame in flight: up to the traced pixels, and after them
 };
 
-/// pixels: the window's, which frame's film and first hits are displayed in. All must outlive the cache.
+/// pixels: the window's, in which frame's film and first hits are displayed. All must outlive the cache.
 DeviceCache createDeviceCache(Device& device, PixelSize size, const FrameBuffers& frame, const Buffer& pixels);
 /// Binds the film after it has been reallocated.
 void bindDeviceCache(Device& device, DeviceCache& cache, const FrameBuffers& frame, const Buffer& pixels);
 void destroyDeviceCache(Device& device, DeviceCache& cache);
 std::uint64_t deviceBytes(const DeviceCache& cache);
 
-/// Places of points.
+/// The number of places for points.
 std::uint32_t pointsOf(PixelSize size);
 
 /// Sets the parameters of the commands that follow.
@@ -76,15 +76,15 @@ void recordReproject(VkCommandBuffer commands, const DeviceCache& cache);
 void recordSelect(VkCommandBuffer commands, const DeviceCache& cache);
 /// Inserts the listed pixels, which have been traced, fills the holes, and copies the picture to pixels.
 void recordInsert(VkCommandBuffer commands, const DeviceCache& cache, std::uint32_t listed, const Buffer& pixels);
-/// Takes the colours of the points that are seen from pixels.
+/// Stores the colours of the points that are visible in pixels.
 void recordTakeColors(VkCommandBuffer commands, const DeviceCache& cache);
-/// Keeps the first hits of count listed pixels, stored from index first on, for recordReplace.
+/// Stores the first hits of count listed pixels, from index first on, for recordReplace.
 void recordHoldHits(VkCommandBuffer commands, const DeviceCache& cache, std::uint32_t first, std::uint32_t count);
-/// Replaces all points by those held.
+/// Replaces all points by the stored first hits.
 void recordReplace(VkCommandBuffer commands, const DeviceCache& cache);
-/// Makes all colours old; with shapes, removes the points on them. frame: the number of the last frame.
+/// Marks all colours as old; with shapes, also removes the points on shapes. frame: number of the last frame.
 void recordOutdate(VkCommandBuffer commands, const DeviceCache& cache, std::uint32_t frame, bool shapes);
-/// Blends count pixels from first on over the reprojected picture with weight share.
+/// Blends count pixels, from first on, with weight share over the reprojected picture.
 void recordBlend(VkCommandBuffer commands, const DeviceCache& cache, std::uint32_t first, std::uint32_t count,
                  float share);
 

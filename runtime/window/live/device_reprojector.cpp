@@ -26,7 +26,7 @@ DeviceReprojector::~DeviceReprojector() {
 
 void DeviceReprojector::bindFilm() { bindDeviceCache(device_, cache_, tracer_.buffers, pixels_); }
 
-/// Commands that go with the next submission.
+/// Records commands that go with the next submission.
 void DeviceReprojector::record(const char* name, const std::function<void(VkCommandBuffer)>& commands) {
     const VkCommandBuffer recorded = beginCommands(device_, name);
     {
@@ -94,7 +94,7 @@ ReprojectedFrame DeviceReprojector::renderFrame(const ReprojectionView& view, do
     ++frame_;
     gpu::ReprojectionParams params = paramsFor(view);
     params.selected = pixelBudget(cache_.size, seconds, cost_);
-    // whole rows of the list; the rest of the last one has pixels of earlier frames
+    // traces whole rows of the list; the rest of the last row has pixels of earlier frames
     params.listed = static_cast<std::uint32_t>(kCountMargin * params.selected) / kPixelListWidth * kPixelListWidth;
     FrameInFlight frame;
     frame.place = frame_ % kFramesInFlight;
@@ -143,7 +143,7 @@ void DeviceReprojector::recordTraced(VkCommandBuffer commands, const FrameInFlig
     vkCmdCopyBuffer(commands, cache_.control.handle, cache_.control_read.handle, 1, &counters);
 }
 
-/// Waits for the oldest frame, and learns from it.
+/// Waits for the oldest frame, and uses its measurements.
 void DeviceReprojector::finishOldest() {
     const FrameInFlight frame = in_flight_.front();
     in_flight_.pop_front();

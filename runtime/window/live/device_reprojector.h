@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Reprojection on a GPU: its frames overlap with the host, and take no submission of their own.
+// Reprojection on a GPU. Its frames overlap with the host's work, and need no submission of their own.
 #pragma once
 
 #include <cstdint>
@@ -33,11 +33,11 @@ public:
 private:
     /// A frame that the device may still be working on.
     struct FrameInFlight {
-        std::optional<PassesInFlight> passes; ///< none: traced already
+        std::optional<PassesInFlight> passes; ///< none: they have been traced already
         std::uint64_t submission = 0;
-        std::uint32_t place = 0; ///< of its counters and times
+        std::uint32_t place = 0; ///< where its counters and times are
         std::uint32_t traced = 0;
-        double traced_s = 0; ///< if traced already
+        double traced_s = 0; ///< seconds, if traced already
     };
 
     gpu::ReprojectionParams paramsFor(const ReprojectionView& view) const;

@@ -17,7 +17,7 @@ std::string percentilesJson(const Percentiles& p) {
     return text;
 }
 
-/// Weight of a frame in the displayed mean: about the last second at 30 frames per second.
+/// Weight of a frame in the displayed mean: averages about the last second at 30 frames per second.
 constexpr double kMeanShare = 1.0 / 30;
 
 double secondsBetween(FrameMeter::Time from, FrameMeter::Time to) {

@@ -26,7 +26,7 @@ struct WindowReport {
     /// Frames in which the view changed: from input to display.
     std::vector<double> moving_ms;
     std::vector<double> resting_ms;    ///< frames in which the picture was refined
-    std::vector<double> moving_pixels; ///< traced, in each frame of moving_ms
+    std::vector<double> moving_pixels; ///< traced pixels of each frame in moving_ms
     double first_picture_s = -1;       ///< from the start of the process to the first picture
     double clean_s = -1; ///< from the last change of the view to kCleanSamples samples per pixel; -1: never
 };
@@ -59,7 +59,7 @@ public:
     WindowReport report; ///< the caller fills in device, size and first picture
 
 private:
-    Time frame_, polled_, moved_; ///< of the frame's start, the last poll, the last change of the view
+    Time frame_, polled_, moved_; ///< times of the frame's start, the last poll, and the last change of the view
     double mean_ms_ = 0;
 };
 

@@ -13,11 +13,11 @@ namespace {
 
 /// Neighbouring depths within this ratio belong to one surface.
 constexpr float kSameSurfaceRatio = 1.03f;
-/// The points around an empty pixel. Sums and sides are of those on the farthest surface only.
+/// The points around an empty pixel. Sums and sides include only those on the farthest surface.
 struct SurroundingPoints {
     std::uint32_t red = 0, green = 0, blue = 0, count = 0;
-    float depth = 0, nearest = kSkyDepth, farthest = 0; ///< depth: a sum; nearest and farthest: of all neighbours
-    std::uint32_t sides = 0; ///< where points were found: a bit for each of the 3 x 3 positions, by row
+    float depth = 0, nearest = kSkyDepth, farthest = 0; ///< depth: a sum; nearest and farthest: over all neighbours
+    std::uint32_t sides = 0; ///< a bit for each of the 3 x 3 positions, by row, where points were found
     std::uint32_t point = 0; ///< index of one of them
 };
 
@@ -32,8 +32,8 @@ public:
         return found;
     }
 
-    /// The mean of the four direct neighbours if all are on one surface. Most gaps are of this kind, and this is the
-    /// fastest test.
+    /// The mean of the four direct neighbours if all are on one surface: the fastest test, which suffices for most
+    /// gaps.
     std::optional<std::uint32_t> interpolateOnSurface(std::uint32_t x, std::uint32_t y) const {
         if (x == 0 || y == 0 || x + 1 >= size_.width || y + 1 >= size_.height) return std::nullopt;
         const std::uint32_t at = y * size_.width + x;
@@ -69,7 +69,7 @@ private:
         const float depth = depthOf(key);
         found.nearest = std::min(found.nearest, depth);
         if (depth * kSameSurfaceRatio < found.farthest) return;
-        if (depth > found.farthest * kSameSurfaceRatio) // well behind the points so far
+        if (depth > found.farthest * kSameSurfaceRatio) // well behind the points found so far
             found = {0, 0, 0, 0, 0, found.nearest, found.farthest, 0, 0};
         found.farthest = std::max(found.farthest, depth);
         const std::array<std::uint32_t, 3> c = channelsOf(cache_.colors()[pixel]);
@@ -146,9 +146,9 @@ private:
     std::vector<std::uint32_t> colors_;
 };
 
-/// Distances in pixels at which to look for background around a hole: a disocclusion is seldom wider than twice the
-/// larger in one frame. In tiles with points in fewer than an eighth of their pixels, holes get the mean colours of
-/// tiles, since neighbours are rare.
+/// Distances in pixels at which to look for background around a hole: within a frame, a disocclusion is seldom wider
+/// than twice the larger of them. In tiles with points in fewer than an eighth of their pixels, holes get the mean
+/// colours of tiles, since neighbours are rare.
 constexpr std::array<std::uint32_t, 2> kFarRings{3, 7};
 constexpr std::uint32_t kMinPointsInTile = TILE_PIXELS / 8;
 
@@ -191,7 +191,7 @@ struct ResampledPoint {
     std::uint32_t info = 0;
 };
 
-/// None if the pixel is neither on a surface nor in a gap of one.
+/// None if the pixel is neither on a surface nor in a gap in one.
 std::optional<ResampledPoint> resampled(const RenderCache& cache, const NeighborSampler& neighbors,
                                         std::uint32_t pixel) {
     const PixelKey key = cache.keys()[pixel];

@@ -8,7 +8,7 @@ namespace pointrt {
 
 /// Gives each empty pixel a colour: the mean of its farthest neighbours, since disocclusions reveal background. Gaps
 /// within one surface get that surface's colour, and pixels far from all points the mean of the tiles around. The
-/// pixels stay empty. Returns the number of gaps within a surface.
+/// pixels still count as empty. Returns the number of gaps within a surface.
 std::uint32_t fillHoles(RenderCache& cache);
 
 /// Resamples the cache to one point per pixel centre, for when gaps have become too many. Gaps within a surface get

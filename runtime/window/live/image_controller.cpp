@@ -48,7 +48,7 @@ std::optional<PickResult> ImageController::update(const ImageRequest& request) {
         const ViewChange scene = pending_restart_.value_or(ViewChange::kCamera);
         shown_ = request.view;
         shown_->settings.first_hits = true;
-        // a preview made of the former picture would show what no longer is
+        // a preview of the former picture would show things that are gone
         live_->setView(*shown_, scene != ViewChange::kAll, scene);
         pending_restart_.reset();
     } else if (change == ImageChange::kLook) {
@@ -58,7 +58,7 @@ std::optional<PickResult> ImageController::update(const ImageRequest& request) {
     return findPick();
 }
 
-/// The host has work of its own for each frame on the cores of a CPU device.
+/// On a CPU device, the cores also have the host's own work for each frame.
 void ImageController::setBudget(std::optional<double> display_hz) {
     const bool is_cpu = device_->type == VK_PHYSICAL_DEVICE_TYPE_CPU;
     preview_budget_s_ =
@@ -66,7 +66,7 @@ void ImageController::setBudget(std::optional<double> display_hz) {
     live_->setPreviewBudget(preview_budget_s_);
 }
 
-/// Only between slices: a pick uses the tracer's buffers.
+/// Only between slices, since a pick uses the tracer's buffers.
 std::optional<PickResult> ImageController::findPick() {
     if (!pick_ || !live_->isBetweenSlices()) return std::nullopt;
     const PickRequest request = *std::exchange(pick_, std::nullopt);

@@ -18,7 +18,7 @@ struct ImageRequest {
     std::optional<double> display_hz; ///< see PreviewBudget
 };
 
-/// What happens to the current picture.
+/// How the current picture is affected.
 enum class ImageChange : std::uint8_t { kNone, kLook, kStartOver };
 
 /// shown: the view of the current picture. restart: the scene has changed.
@@ -43,7 +43,7 @@ public:
     /// Frees everything that uses the tracer.
     void close();
 
-    /// The scene, and the tracer with it, have changed. change: see ViewportRenderer::setView.
+    /// The scene changed, and the tracer with it. change: see ViewportRenderer::setView.
     void restart(ViewChange change) {
         if (pending_restart_ != ViewChange::kAll) pending_restart_ = change;
     }
@@ -59,7 +59,7 @@ public:
     /// Whether the last update started the picture over.
     bool moved() const { return moved_; }
     /// Works for a frame's time. Returns false if there is nothing to do or the picture is paused. When paused, it
-    /// still completes what the user waits for: a first picture, one to save, a slice before a pick.
+    /// still completes what the user waits for: the first picture, a picture to save, or a slice before a pick.
     bool work();
     bool mayWork() const;
 

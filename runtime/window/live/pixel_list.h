@@ -33,7 +33,7 @@ void uploadPixelList(Device& device, BandTracer& tracer, PixelSize size, std::sp
 void traceFirstHits(Device& device, BandTracer& tracer, const ReprojectionView& view, std::uint32_t count,
                     const std::function<void(VkCommandBuffer)>& then = {});
 
-/// Pixels to trace in a frame of these seconds.
+/// Number of pixels to trace in a frame of this many seconds.
 std::uint32_t pixelBudget(PixelSize size, double seconds, const ListCost& cost);
 
 bool sameShapes(const std::vector<gpu::Shape>& a, const std::vector<gpu::Shape>& b);

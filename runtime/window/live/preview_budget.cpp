@@ -10,13 +10,12 @@ namespace {
 constexpr double kLeastRate_hz = 30;
 /// Share of a frame's time for tracing: the rest is for the interface, the display, and a reserve.
 constexpr double kTracedShare = 0.45;
-/// Drivers round rates down: 59.94 Hz is 59, which is two frames of 30 all the same.
+/// Drivers round refresh rates down: 59.94 Hz becomes 59, which still makes two refreshes per frame at 30 Hz.
 constexpr double kRounding = 0.1;
-/// Share of the picture that a frame of one refresh must trace: every other pixel in each direction, which reprojection
-/// makes a sharp picture of.
+/// Share of the picture that must be traced within one refresh: every other pixel in each direction, from which
+/// reprojection makes a sharp picture.
 constexpr double kEnough = 0.25;
-/// To go over to frames of one refresh, that share must fit in this part of the time, so that the rate does not
-/// flicker.
+/// To switch to frames of one refresh, that share must fit in this part of the time, so that the rate does not flicker.
 constexpr double kSpare = 0.75;
 
 } // namespace

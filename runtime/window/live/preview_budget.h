@@ -6,8 +6,8 @@
 
 namespace pointrt {
 
-/// A frame lasts one refresh of the display if the device traces enough of the picture in that. If not, it lasts as
-/// many as still make 30 frames a second.
+/// A frame lasts one refresh of the display if the device traces enough of the picture in that time. Otherwise it lasts
+/// as many refreshes as still give 30 frames per second.
 class PreviewBudget {
 public:
     /// Seconds to trace in the next frame.

@@ -17,18 +17,19 @@ namespace {
 /// A neighbouring pixel whose depth is smaller by more than this factor occludes a point. Floors seen at a grazing
 /// angle stay below it.
 constexpr float kOccludedDepthRatio = 1.02f;
-/// Beside a straight edge of an occluder, nearer points lie in at most this many of the 8 directions or octants.
+/// Next to a straight edge of an occluder, nearer points lie in at most this many of the 8 directions or octants.
 constexpr int kMostNearer = 5;
-/// Distance in pixels up to which nearer points are looked for where points are sparse; at most TILE_SIDE.
+/// Distance in pixels to which nearer points are searched if points are sparse; at most TILE_SIDE.
 constexpr std::int32_t kSparseReach = 6;
-/// Points are sparse if there is at most one for this many pixels. Denser ones are not searched, which takes time.
+/// Points are sparse if there is at most one per this many pixels. Denser points are not searched, which would take
+/// time.
 constexpr std::size_t kSparsePixels = 4;
 /// Points traced before the light changed count as at least this many frames old.
 constexpr std::uint32_t kStaleLightAge = 64;
-/// Points per task of a thread; points projected together, for SIMD.
+/// Points per task of a thread; and points projected together, with SIMD.
 constexpr std::size_t kChunk = 1u << 14, kSideBySide = 64;
 
-/// Lowers target to key. The result does not depend on the order of the threads.
+/// Lowers target to key atomically. The result does not depend on the order of the threads.
 void atomicMin(PixelKey& target, PixelKey key) {
     const std::atomic_ref<PixelKey> lowest(target);
     PixelKey current = lowest.load(std::memory_order_relaxed);
@@ -130,13 +131,14 @@ bool RenderCache::isOccluded(std::uint32_t x, std::uint32_t y, PixelKey key) con
     return is_alone && mayBeBehind(x / TILE_SIDE, y / TILE_SIDE, depth) && isAmongNearerPoints(x, y, depth);
 }
 
-/// Whether nearer points surround a pixel whose own neighbours are mostly empty: in how many octants of a growing
-/// square there are any.
+/// Whether nearer points surround a pixel whose neighbours are mostly empty: counts the octants of a growing square
+/// that contain any.
 bool RenderCache::isAmongNearerPoints(std::uint32_t x, std::uint32_t y, float depth) const {
     std::uint32_t octants = 0;
     const auto look = [&](std::int32_t along_x, std::int32_t along_y) {
         const std::uint32_t at_x = x + static_cast<std::uint32_t>(along_x);
-        const std::uint32_t at_y = y + static_cast<std::uint32_t>(along_y); // beyond the upper edge it is large
+        // beyond the upper edge it wraps to a large number
+        const std::uint32_t at_y = y + static_cast<std::uint32_t>(along_y);
         if (at_x >= size_.width || at_y >= size_.height) return;
         if (!(depthOf(keys_[at_y * size_.width + at_x]) * kOccludedDepthRatio < depth)) return;
         const bool steep = std::abs(along_y) > std::abs(along_x);
@@ -165,7 +167,7 @@ void RenderCache::findNearest() {
         const std::size_t end = std::min<std::size_t>((row + 1) * TILE_SIDE, size_.height);
         for (std::size_t y = row * TILE_SIDE; y < end; ++y)
             for (std::uint32_t x = 0; x < size_.width; ++x)
-                // NaN, of an empty pixel, is not less
+                // the NaN of an empty pixel is not less
                 if (const float depth = depthOf(keys_[y * size_.width + x]); depth < nearest[x / TILE_SIDE])
                     nearest[x / TILE_SIDE] = depth;
     });
@@ -206,7 +208,7 @@ void RenderCache::invalidateLighting(bool shapes, std::uint32_t frame) {
     const std::uint32_t old = (frame - kStaleLightAge) & kPointFrameMask;
     for (std::uint32_t i = 0; i < point_count_; ++i) {
         std::uint32_t& info = points_.info[i];
-        // a sample count of 0: the next sample replaces the colour
+        // sets the sample count to 0, so that the next sample replaces the colour
         const std::uint32_t age = (frame - info) & kPointFrameMask;
         info = (info & kErrorDecay) | (age < kStaleLightAge ? old : info & kPointFrameMask);
         if (shapes && (info & kPointOnShape) != 0) info |= kPointInvalid;

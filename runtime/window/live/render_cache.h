@@ -3,8 +3,8 @@
 // earlier frames, reprojected into each new view with a depth test. Points are never resampled on the screen: each
 // keeps its position and colour until it is traced again, visible or not, so a long movement does not blur the picture.
 //
-// This cache lives on the host: CPU devices need three times as long to do this on the device. GPUs have theirs
-// (device_cache.h).
+// This cache lives on the host: CPU devices would take three times as long to do this on the device. GPUs have their
+// own cache (device_cache.h).
 #pragma once
 
 #include <algorithm>
@@ -42,7 +42,7 @@ struct PointCloud {
     CachedPoint at(std::size_t i) const { return {{x[i], y[i], z[i]}, info[i], color[i]}; }
 };
 
-/// Sum of the colours in one tile, the number of its points, and how many of these are not of the sky.
+/// Sum of the colours in one tile, the number of its points, and how many of these are not sky.
 struct TileColorSum {
     std::uint32_t red = 0, green = 0, blue = 0, count = 0, surfaces = 0;
 };

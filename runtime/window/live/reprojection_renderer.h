@@ -27,12 +27,12 @@ public:
     void invalidateLighting() override;
     void readBackColors() override;
     ReprojectedFrame renderFrame(const ReprojectionView& view, double seconds) override;
-    void finish() override {} // each frame is complete when it returns
+    void finish() override {} // does nothing: each frame is complete when it returns
     bool fillCache(const ReprojectionView& view) override;
     bool isFilled() const override { return filled_rows_ >= cache_.size().height; }
     bool isValidFor(const Camera& camera) const override { return camera_ == camera; }
     void blendWithReprojection(std::uint32_t first, std::uint32_t count, float share) override;
-    void bindFilm() override {} // it is read through the tracer
+    void bindFilm() override {} // does nothing: the film is read through the tracer
     std::uint64_t bytes() const override { return cache_.bytes(); }
 
 private:
@@ -41,7 +41,7 @@ private:
     void readLight(const ReprojectionView& view, std::span<TracedPixel> traced) const;
     ViewProjection projectionFor(const ReprojectionView& view) const;
 
-    /// A fill in progress.
+    /// Progress of filling the cache with a full picture.
     struct CacheFill {
         PointCloud points; ///< one per pixel
         std::vector<float> depth;

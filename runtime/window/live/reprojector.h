@@ -27,14 +27,16 @@ constexpr std::uint32_t kMaxListedPixels = 1u << 16;
 
 /// Points in the cache per four pixels: the visible ones, and some that are hidden or outside the frame.
 constexpr std::uint32_t kPointsOf4 = 5;
-/// Points are resampled, one per pixel, if gaps take more than this share of the pixels, as filling them takes too
-/// long. Of pixels with one randomly placed point on average, a sixth are empty; after zooming in by a tenth, a fifth.
+/// If gaps are more than this share of the pixels, points are resampled, one per pixel, since filling the gaps would
+/// take too long. With one randomly placed point per pixel on average, a sixth of the pixels are empty; after zooming
+/// in by a tenth, a fifth.
 constexpr double kMaxGapShare = 0.2;
 
 /// Statistics of a frame.
 struct ReprojectedFrame {
-    std::uint32_t traced = 0;        ///< pixels
-    std::uint32_t disocclusions = 0; ///< empty pixels except gaps within a surface; where frames overlap, of an earlier
+    std::uint32_t traced = 0; ///< pixels
+    /// Empty pixels except gaps within a surface; if frames overlap, those of an earlier frame.
+    std::uint32_t disocclusions = 0;
 };
 
 /// A render cache (render_cache.h) and the tracing of its pixels, on the host or on the device.
@@ -47,13 +49,14 @@ public:
 
     /// Discards all points: the scene or the look has changed.
     virtual void clear() = 0;
-    /// Lights, materials or shapes have changed: points on moved shapes are removed, all colours become old.
+    /// Call it after lights, materials or shapes have changed: removes points on moved shapes and makes all colours
+    /// old.
     virtual void invalidateLighting() = 0;
     /// Takes the colours from the window's pixels, which hold a full picture of the last view.
     virtual void readBackColors() = 0;
 
-    /// Reprojects the last frame to view, if there is one, and traces as many pixels as fit in seconds in all. The
-    /// tracer's film is overwritten; ProgressiveRenderer::finish before. The result is in the window's pixels.
+    /// Reprojects the last frame to view, if there is one, and traces as many pixels as fit in seconds in all.
+    /// Overwrites the tracer's film; call ProgressiveRenderer::finish first. The result is in the window's pixels.
     virtual ReprojectedFrame renderFrame(const ReprojectionView& view, double seconds) = 0;
     /// Waits for frames that the device may still be tracing, before others use the tracer.
     virtual void finish() = 0;
@@ -70,13 +73,13 @@ public:
 
     /// The tracer's film has been reallocated.
     virtual void bindFilm() = 0;
-    /// Memory it takes, on the host or the device.
+    /// Memory in bytes, on the host or the device.
     virtual std::uint64_t bytes() const = 0;
 };
 
-/// On the device if that is a GPU; a CPU has the same cores and is faster on the host.
-/// tracer and pixels must outlive it. tracer's film has room for size plus kMaxListedPixels. pixels receives the
-/// picture, 0xAARRGGBB each.
+/// Creates a reprojector on the device if that is a GPU; on a CPU device, which uses the same cores, the host is
+/// faster. tracer and pixels must outlive it. tracer's film has room for size plus kMaxListedPixels. pixels receives
+/// the picture, 0xAARRGGBB each.
 std::unique_ptr<Reprojector> createReprojector(Device& device, BandTracer& tracer, Buffer& pixels, PixelSize size);
 
 } // namespace pointrt

@@ -10,18 +10,18 @@
 namespace pointrt {
 namespace {
 
-// Priorities in frames of age: of empty pixels, of interpolated points and of empty pixels amid nothing but sky, and of
-// points near an error of a full step from black to white. While the camera moves, view-dependent points age this much
-// faster.
+// Priorities in frames of age, for empty pixels; for interpolated points, and empty pixels with only sky around; and
+// for points near an error of a full step from black to white. While the camera moves, view-dependent points age this
+// much faster.
 constexpr float kEmptyPriority = 1500, kInterpolatedPriority = 150, kErrorPriority = 3000, kViewDependentAging = 8;
 /// Gain at the attention point, and its radius as a fraction of the picture's height.
 constexpr float kFocusGain = 2, kFocusRadius = 0.2f;
 /// Share of an error that remains a frame later, and that neighbouring tiles get.
 constexpr float kErrorDecay = 0.85f, kErrorSpread = 0.5f;
-/// Differences in steps of 255 that are no error: rounding, and noise of soft light.
+/// Smaller differences, in steps of 255, are not errors but rounding and noise of soft light.
 constexpr std::uint32_t kNoiseFloor = 3;
 
-/// Priority of a point, from its info.
+/// The priority of a point with this info.
 float priorityOf(std::uint32_t info, const SelectionParams& params) {
     const auto age = static_cast<float>((params.frame - info) & kPointFrameMask);
     const bool view_dependent = params.camera_moves && (info & kPointViewDependent) != 0;
@@ -29,7 +29,7 @@ float priorityOf(std::uint32_t info, const SelectionParams& params) {
            ((info & kPointInterpolated) != 0 ? kInterpolatedPriority : 0.0f);
 }
 
-/// Added to the priority of each pixel of a tile, and the factor of the sum.
+/// The priority added to each pixel of a tile, and a factor for the sum.
 struct TilePriority {
     float added = 0, factor = 1;
 };
@@ -90,7 +90,7 @@ public:
     }
 
 private:
-    /// Whether this tile and those around it have points, and all of the sky.
+    /// Whether this tile and its neighbours have points, and only points of the sky.
     bool isSky(std::uint32_t tile_x, std::uint32_t tile_y) const {
         return !cache_.anyTileAround(tile_x, tile_y, [&](std::uint32_t tile) {
             const TileColorSum& sum = cache_.tileColors()[tile];
@@ -102,7 +102,7 @@ private:
     void visitTile(std::uint32_t tile, std::uint32_t tile_row, Visit visit) const {
         const std::uint32_t end_x = std::min((tile + 1) * TILE_SIDE, size_.width);
         const std::uint32_t end_y = std::min((tile_row + 1) * TILE_SIDE, size_.height);
-        // consecutive phases are never adjacent rows
+        // consecutive phases never consider adjacent rows
         const std::uint32_t phase = params_.frame * 2 % kRowPhases + params_.frame / 2 % 2;
         for (std::uint32_t y = tile_row * TILE_SIDE + phase; y < end_y; y += kRowPhases)
             for (std::uint32_t x = tile * TILE_SIDE; x < end_x; ++x) visit(x, y);

@@ -22,11 +22,11 @@ struct SelectionParams {
 class ErrorMap {
 public:
     explicit ErrorMap(PixelSize size);
-    /// The colour of a pixel was off by steps of 255.
+    /// Records that the colour of a pixel was off by this many steps of 255.
     void record(std::uint32_t x, std::uint32_t y, std::uint32_t steps);
     /// Decays the errors and spreads them to neighbouring tiles, since shadow edges move.
     void advanceFrame();
-    /// 0 to 255.
+    /// The error of a tile, 0 to 255.
     float at(std::uint32_t tile) const { return errors_[tile]; }
     void clear();
 

@@ -15,16 +15,16 @@ double smoothed(double estimate, double measured);
 /// The tracer's speed for the current view.
 class TraceSpeed {
 public:
-    /// Records that one sample of each of pixels took this long.
+    /// Records that tracing one sample of each of this many pixels took this long.
     void addMeasurement(std::uint64_t pixels, double seconds);
 
     /// Whether anything has been measured.
     bool isKnown() const { return known_; }
 
-    /// The cost of a pixel has changed by this factor, because the scene has.
+    /// Call it when the cost of a pixel has changed by this factor because the scene has changed.
     void scaleCost(double times) { seconds_per_pixel_ *= times; }
 
-    /// Predicted seconds for one sample of each of pixels.
+    /// Predicted seconds for one sample of each of this many pixels.
     double secondsFor(std::uint64_t pixels) const { return static_cast<double>(pixels) * seconds_per_pixel_; }
 
     /// Rows of this width that fit in the time: a multiple of TILE_SIDE, at least one row of tiles.
@@ -39,13 +39,13 @@ private:
     bool known_ = false;
 };
 
-/// What pixels cost that are traced as a short list, not as a picture.
+/// The cost of tracing pixels as a short list rather than a picture.
 struct ListCost {
-    double other_s = 0.01;           ///< of a frame, besides tracing; initial guess
+    double other_s = 0.01;           ///< seconds of a frame besides tracing; initial guess
     double seconds_per_pixel = 1e-6; ///< of recent lists; initial guess: two cores, a million splats
 };
 
-/// The pixels of such a list that fit in a frame of these seconds, from a minimum up to most.
+/// The number of listed pixels that fit in a frame of this many seconds, between a minimum and most.
 double pixelsFor(double seconds, const ListCost& cost, double most);
 
 /// full / divisor (at least 1), rounded up.

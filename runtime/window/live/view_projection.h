@@ -13,7 +13,7 @@ struct PlaneVector {
     float x = 0, y = 0;
 };
 
-/// Both directions of shaders/lib/camera_ray.glsl on the host, in render space.
+/// Implements both directions of shaders/lib/camera_ray.glsl on the host, in render space.
 class ViewProjection {
 public:
     /// frame: parameters of the full frame.

@@ -18,17 +18,17 @@ using Seconds = std::chrono::duration<double>;
 constexpr double kCoarseDivisor = 2;
 /// Time without movement before refinement starts: longer than between two clicks of a mouse wheel.
 constexpr double kRest_s = 0.12;
-/// Minimum time left to start another slice: submitting one takes about a millisecond.
+/// Smallest remaining time in which to start another slice: submitting one takes about a millisecond.
 constexpr double kMin_s = 0.002;
 /// Share of the remaining time to plan a slice for, so that a misprediction does not delay the frame.
 constexpr double kPlanned = 0.8;
 /// Time to upscale a preview, which a reprojected frame does not need.
 constexpr double kUpscale_s = 0.002;
-/// Maximum disoccluded share of a reprojected frame. Beyond it tracing does not keep up and a coarse preview shows
-/// more, unless the preview has less than one pixel per tile of the film: then points are accumulated from frame to
+/// Maximum disoccluded share of a reprojected frame. Beyond it, tracing does not keep up and a coarse preview shows
+/// more. But if the preview had less than one pixel per tile of the film, points are still accumulated from frame to
 /// frame.
 constexpr double kMaxNewShare = 0.35;
-/// Samples from which the film is clean and shown unblended.
+/// With this many samples, the film is clean and shown without blending.
 constexpr std::uint32_t kCleanBlendSamples = kCleanSamples;
 /// Weight of each sample in the blend from the reprojected picture to the film: first samples are right but noisy, the
 /// reprojected picture is smooth.
@@ -53,7 +53,7 @@ ViewportRenderer::ViewportRenderer(Device& device, BandTracer& tracer, double pr
 
 ViewportRenderer::~ViewportRenderer() { destroyDisplayPipeline(device_, display_); }
 
-/// Makes room for the view's pixels and samples. Whether the film keeps what it holds.
+/// Makes room for the view's pixels and samples. Returns whether the film keeps its contents.
 bool ViewportRenderer::fitFilm() {
     const PixelSize requested{view_.settings.width, view_.settings.height};
     const std::uint32_t samples = view_.settings.spp;
@@ -186,7 +186,7 @@ void ViewportRenderer::showFilm() {
 }
 
 void ViewportRenderer::begin(Stage stage) {
-    // the tracer keeps the counters of frames in flight in one place
+    // the tracer keeps the counters of frames in flight in a single place
     if (stage == Stage::kReprojection)
         renderer_.finish();
     else if (reprojector_)
@@ -267,7 +267,7 @@ void ViewportRenderer::traceSlice(double seconds_left) {
     }
     const Strip strip = *renderer_.strip();
     const double predicted_s = speed().secondsFor(std::uint64_t{size_.width} * strip.sample.rows);
-    // what does not fit in one submission is submitted bounce by bounce
+    // a sample that does not fit in one submission is submitted bounce by bounce
     const bool is_whole = predicted_s <= seconds_left || stage_ == Stage::kInteractive;
     const std::uint32_t passes = is_whole ? bounces() : strip.sample.pass == 0 ? 0 : 1;
     const bool shows = showsAfter(strip) && is_whole && endsIn(tracer_, view_.settings, passes);
@@ -282,10 +282,10 @@ void ViewportRenderer::traceSlice(double seconds_left) {
     if (done) finishSlice(strip, shows);
 }
 
-/// Passes after the camera's that complete a sample.
+/// Number of passes after the camera pass that complete a sample.
 std::uint32_t ViewportRenderer::bounces() const { return std::max(view_.settings.bounces, 1u); }
 
-/// Whether a strip is shown once it is traced. With the denoiser on, its last picture stays until the next.
+/// Whether to show a strip once it is traced. With the denoiser on, the last denoised picture stays until the next one.
 bool ViewportRenderer::showsAfter(const Strip& strip) const {
     return strip.sample.number == 0 || !showsDenoised() || strip.sample.number >= kCleanSamplesOfLight;
 }
@@ -310,7 +310,7 @@ void ViewportRenderer::fillCache() {
 std::uint32_t ViewportRenderer::sliceRows(double seconds_left) const {
     std::uint32_t rows = size_.height;
     if (stage_ != Stage::kInteractive) rows = std::min(rows, speed().rowsFor(kPlanned * seconds_left, size_.width));
-    // what is known to fit in the time is traced in one submission, part by part
+    // passes that are known to fit in the time are traced in one submission, part by part
     const bool is_known = stage_ == Stage::kInteractive || speed().isKnown();
     const std::uint32_t parts = is_known && endsIn(tracer_, view_.settings, bounces()) ? kSamplesAtOnce : 1;
     return std::min(rows, parts * fittingRows(tracer_, size_.width));
@@ -336,11 +336,13 @@ void ViewportRenderer::addTimes() {
 }
 
 void ViewportRenderer::finishSample() {
-    if (renderer_.samples() == kCleanSamplesOfLight && view_.denoise) showFilm(); // from here on undenoised
+    // from here on, the film is shown without denoising
+    if (renderer_.samples() == kCleanSamplesOfLight && view_.denoise) showFilm();
     next();
 }
 
-/// Whether this stage needs first hits: full frames for the denoiser and for files, previews only to display them.
+/// Whether this stage needs first hits: full frames need them for the denoiser and for files, previews only to display
+/// them.
 bool ViewportRenderer::needsHits() const {
     const bool looked_at = needsFirstHits(view_.look);
     return looked_at || (stage_ == Stage::kRefine && (view_.denoise || view_.settings.first_hits));
@@ -364,7 +366,7 @@ void ViewportRenderer::recordRows(VkCommandBuffer commands, std::uint32_t first_
     recordTonemap(commands, display_, range, view_.look, false);
 }
 
-/// Rows have been drawn to the pixels.
+/// Call it after rows have been drawn to the pixels.
 void ViewportRenderer::reportRows(std::uint32_t first_row, std::uint32_t rows, std::uint32_t samples) {
     const FilmRange range = rangeOf(first_row, rows, samples);
     const float share = shareShown(samples);
@@ -417,7 +419,7 @@ ViewportProgress ViewportRenderer::progress() const {
     return progress;
 }
 
-/// Previews have different light, whatever their size.
+/// Whether the picture has its full size. Previews have different light, so they never count.
 bool ViewportRenderer::isFullSize() const {
     return size_ == full_ && stage_ != Stage::kInteractive && stage_ != Stage::kReprojection &&
            stage_ != Stage::kCoarse;

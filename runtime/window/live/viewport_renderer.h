@@ -27,7 +27,7 @@ struct Viewport {
     double focus_x = 0.5, focus_y = 0.5; ///< attention point, as fractions of the picture
 };
 
-/// What has changed since the last view: the camera; lights, materials or shapes (kScene); the place of scans; or
+/// What changed since the last view: the camera; lights, materials or shapes (kScene); the places of scans; or
 /// everything.
 enum class ViewChange : std::uint8_t { kCamera, kScene, kPlacements, kAll };
 
@@ -47,7 +47,7 @@ struct ViewportProgress {
     std::uint64_t traced = 0; ///< pixels traced of a reprojected frame; 0: the frame is not reprojected
 };
 
-/// Path states of the tracer: what a fast device traces in a frame, 130 MB.
+/// Number of path states of the tracer: as many as a fast device traces in a frame; 130 MB.
 constexpr std::uint32_t kSliceLanes = 1u << 18;
 
 class ViewportRenderer {
@@ -62,7 +62,7 @@ public:
     /// Starts over. moving: more changes are expected soon, so show a preview first. change: what has changed, which
     /// limits what can be reprojected.
     void setView(const Viewport& view, bool moving, ViewChange change = ViewChange::kCamera);
-    /// Shows the same light another way. Traces again only if the film lacks a needed layer.
+    /// Shows the same light in another way. Traces again only if the film lacks a needed layer.
     void setLook(const Look& look, bool denoise);
     /// Starts over because the scene, and the tracer with it, have changed.
     void restart(bool moving);
@@ -78,12 +78,12 @@ public:
     /// Sets the target samples.
     void setSamples(std::uint32_t spp);
 
-    /// Works for about seconds. Returns false if there is nothing to do for now.
+    /// Works for about this many seconds. Returns false if there is nothing to do for now.
     bool work(double seconds);
     /// Changed rows since clearUpdates.
     const std::vector<PictureUpdate>& updates() const { return updates_; }
     void clearUpdates() { updates_.clear(); }
-    /// True if the updates must be shown before work goes on, because the next ones have another size.
+    /// True if the updates must be shown before work continues, because the next ones have another size.
     bool mustShow() const;
     const Buffer& pixels() const { return display_.pixels; }
 
@@ -143,9 +143,9 @@ private:
     DisplayPipeline display_;
     Viewport view_;
     std::unique_ptr<Reprojector> reprojector_; ///< of size full_, created on demand
-    std::uint32_t reprojected_pixels_ = 0;     ///< traced in its last frame
-    bool reprojection_current_ = false;        ///< it shows this view and look
-    bool mostly_reused_ = false;               ///< little of it is disoccluded
+    std::uint32_t reprojected_pixels_ = 0;     ///< pixels traced in its last frame
+    bool reprojection_current_ = false;        ///< the reprojected picture shows the current view and look
+    bool mostly_reused_ = false;               ///< little of the reprojected picture is disoccluded
     bool shows_full_frame_ = false;            ///< the screen shows last_camera_'s light at full resolution
     Camera last_camera_;
     std::uint64_t film_pixels_ = 0;

@@ -11,7 +11,7 @@ namespace {
 
 constexpr VkImageUsageFlags kTransfer = VK_IMAGE_USAGE_TRANSFER_SRC_BIT | VK_IMAGE_USAGE_TRANSFER_DST_BIT;
 
-/// A device-local type among the allowed ones (a bit each), or else any of them.
+/// A device-local type among the allowed ones (one bit each), else any allowed type.
 std::uint32_t imageMemoryType(const Device& device, std::uint32_t allowed) {
     std::uint32_t any = 0;
     for (std::uint32_t i = device.memory.memoryTypeCount; i-- > 0;) {

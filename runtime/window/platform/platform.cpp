@@ -85,7 +85,7 @@ void setCallbacks(GLFWwindow* window) {
     g.glfwSetWindowContentScaleCallback(window, [](GLFWwindow* w, float, float) { onSize(w); });
 }
 
-/// The monitor under the window's middle, or the primary one: Wayland does not tell where windows are.
+/// The monitor under the window's middle, or the primary one: Wayland does not report where windows are.
 GLFWmonitor* monitorUnder(GLFWwindow* window) {
     int x = 0, y = 0, width = 0, height = 0, count = 0;
     glfw().glfwGetWindowPos(window, &x, &y);
@@ -188,7 +188,7 @@ void setSize(PlatformWindow& window, std::uint32_t width, std::uint32_t height) 
 void setCursor(PlatformWindow& window, CursorShape shape) {
     if (window.cursor == shape) return;
     GLFWcursor*& cursor = window.cursors[static_cast<std::size_t>(shape)];
-    // null, for shapes that the theme lacks, is the arrow
+    // null, for shapes that the theme does not have, is the arrow
     if (!cursor) cursor = glfw().glfwCreateStandardCursor(glfwShape(shape));
     glfw().glfwSetCursor(window.handle, cursor);
     window.cursor = shape;

@@ -54,7 +54,7 @@ PixelSize framebufferSize(const PlatformWindow& window);
 /// The desktop's text scale: 1 on ordinary screens, about 2 on HiDPI. Not the ratio of pixels to window units, which is
 /// always 1 on X11.
 float contentScale(const PlatformWindow& window);
-/// Refreshes a second of the monitor under the window's middle, or else of the primary one; none if that is not known.
+/// Refresh rate in Hz of the monitor under the window's middle, else of the primary one; none if unknown.
 std::optional<double> refreshRate(const PlatformWindow& window);
 bool isMinimised(const PlatformWindow& window);
 

@@ -75,9 +75,9 @@ void rebuild(Device& device, Presenter& presenter) {
     presenter.outdated = false;
 }
 
-/// The next swapchain image, rebuilding if needed; none if the window shows nothing.
+/// The next swapchain image, rebuilt if needed; none if the window shows nothing.
 std::optional<std::uint32_t> nextImage(Device& device, Presenter& presenter) {
-    // again if the window's size changes between the two calls
+    // tries again if the window's size changes between the two calls
     for (int attempt = 0; attempt < 2; ++attempt) {
         if (presenter.outdated || !presenter.swapchain.handle) rebuild(device, presenter);
         if (!presenter.swapchain.handle) return {};

@@ -18,8 +18,8 @@ struct ImDrawData;
 
 namespace pointrt {
 
-/// For use by one thread. Pixels are packed BGRA8, 0xAARRGGBB each, rows from the top, sRGB-encoded, which windows take
-/// without conversion.
+/// For use by one thread. Pixels are packed BGRA8, 0xAARRGGBB each, rows from the top, sRGB-encoded, which windows
+/// display without conversion.
 struct Presenter {
     VkSurfaceKHR surface = VK_NULL_HANDLE; ///< owned; null when headless
     Swapchain swapchain;
@@ -32,7 +32,7 @@ struct Presenter {
     VkFramebuffer framebuffer = VK_NULL_HANDLE; ///< of target
     UiRenderer ui;
     std::array<std::uint64_t, kFramesInFlight> frames{}; ///< submissions of the last frames
-    std::uint32_t frame = 0;                             ///< index of the next one
+    std::uint32_t frame = 0;                             ///< index of the next frame
 };
 
 /// For a window's surface, or headless without one. Owns the surface, even if this throws. The canvas is black, width x
@@ -62,7 +62,7 @@ void recordUploadPreview(Device& device, VkCommandBuffer commands, Presenter& pr
 /// Presents the canvas with ui on top (null: none) and returns without waiting for the device; waits for the frame
 /// kFramesInFlight before. If the window's size has just changed, the canvas is scaled. Returns false if nothing can be
 /// shown: minimised or hidden. Throws Error kCannotRun (surface or device lost).
-/// @param uploads records commands that bring the canvas up to date, in the same submission; they run in any case
+/// @param uploads records commands that update the canvas, in the same submission; they run in any case
 bool present(Device& device, Presenter& presenter, const ImDrawData* ui,
              const std::function<void(VkCommandBuffer)>& uploads = {});
 

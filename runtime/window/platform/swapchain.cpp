@@ -12,7 +12,7 @@
 namespace pointrt {
 namespace {
 
-// Three frames at 30 Hz: after that nobody is looking at the window.
+// Three frames at 30 Hz: if no image is free after that, the window is not visible.
 constexpr std::uint64_t kAcquireNanoseconds = 100'000'000;
 constexpr VkImageUsageFlags kUsage = VK_IMAGE_USAGE_TRANSFER_DST_BIT | VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT;
 
@@ -42,7 +42,7 @@ VkFormat chooseFormat(Device& device, VkSurfaceKHR surface) {
     throw Error{ExitCode::kCannotRun, "the window has no 8-bit colour format on " + device.name};
 }
 
-/// Mailbox neither waits nor tears. Without it GPUs use vertical synchronisation; CPU devices have no time to wait for
+/// Mailbox neither waits nor tears. Without it GPUs use vertical synchronisation; CPU devices cannot afford to wait for
 /// it.
 VkPresentModeKHR choosePresentMode(Device& device, VkSurfaceKHR surface) {
     const auto modes =
@@ -151,7 +151,7 @@ void destroySwapchain(Device& device, Swapchain& swapchain) {
 
 void rebuildSwapchain(Device& device, Swapchain& swapchain, VkExtent2D wanted) {
     {
-        // no fence signals when presentation is done with a semaphore, but an idle queue implies it
+        // no fence signals when a presentation has finished with a semaphore, but an idle queue implies it
         const auto lock = lockQueue(device);
         check(vkQueueWaitIdle(device.queue), "wait for the device");
     }

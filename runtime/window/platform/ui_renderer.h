@@ -17,7 +17,7 @@ struct UiBuffers {
     Buffer vertices, indices;
 };
 
-/// Vulkan objects to draw the UI: recordUi overwrites the buffers of the frame kFramesInFlight before.
+/// Vulkan objects that draw the UI. recordUi overwrites the buffers of the frame kFramesInFlight earlier.
 struct UiRenderer {
     VkRenderPass pass = VK_NULL_HANDLE;
     VkSampler sampler = VK_NULL_HANDLE;
@@ -43,7 +43,7 @@ void uploadUiFont(Device& device, UiRenderer& ui);
 VkFramebuffer createUiFramebuffer(Device& device, const UiRenderer& ui, VkImageView view, VkExtent2D extent);
 
 /// Records drawing data over the contents of framebuffer, which is in kColorAttachment before and after. Requires
-/// uploadUiFont; frames but the last kFramesInFlight - 1 must have finished.
+/// uploadUiFont. All but the last kFramesInFlight - 1 frames must have finished.
 void recordUi(Device& device, UiRenderer& ui, VkCommandBuffer commands, VkFramebuffer framebuffer, VkExtent2D extent,
               const ImDrawData& data);
 

@@ -11,8 +11,8 @@ struct PixelGrid {
     std::uint32_t width = 0, height = 0; ///< at least 1
 };
 
-/// Scales from to all of to, with bilinear interpolation between pixel centres, within 2 of the exact value per
-/// channel. Takes a third of the processor time of a software driver's blit.
+/// Scales the image `from` to the whole of `to`, with bilinear interpolation between pixel centres, within 2 of the
+/// exact value per channel. Takes a third of the processor time of a software driver's blit.
 void upscale(const std::uint32_t* from, PixelGrid from_size, std::uint32_t* to, PixelGrid to_size);
 
 } // namespace pointrt

@@ -8,7 +8,7 @@
 namespace pointrt {
 namespace {
 
-/// Stored numbers.
+/// Names of stored numbers.
 constexpr const char* kKind = "selected layer kind";
 constexpr const char* kNumber = "selected layer";
 constexpr const char* kOfferedFrame = "handles offered"; ///< the last frame in which the selected layer was shown
@@ -23,7 +23,7 @@ LayerId selectedLayer() {
 void selectLayer(LayerId id) {
     storedInt(kKind, 0) = static_cast<int>(id.kind);
     storedInt(kNumber, 0) = static_cast<int>(id.number);
-    // the sections of lights and clips have selections of their own, which follow
+    // the sections of lights and clips have their own selections, which follow
     if (id.kind == LayerKind::kLight) storedInt("selected light", 0) = static_cast<int>(id.number);
     if (id.kind == LayerKind::kClip) storedInt("selected clip", 0) = static_cast<int>(id.number);
 }

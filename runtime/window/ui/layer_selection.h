@@ -11,9 +11,9 @@ namespace pointrt {
 LayerId selectedLayer();
 void selectLayer(LayerId id);
 
-/// A section shows the values of this layer in this frame. If it is the selected one, it gets handles.
+/// Call it in a section that shows the values of this layer in this frame. If the layer is selected, it gets handles.
 void offerHandles(LayerId id);
-/// The layer with handles in this frame. After the panel.
+/// The layer with handles in this frame. Call it after the panel.
 std::optional<LayerId> layerWithHandles();
 
 } // namespace pointrt

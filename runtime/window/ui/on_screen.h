@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where points of the scene are seen in the window.
+// Where points of the scene appear in the window.
 #pragma once
 
 #include <imgui.h>
@@ -10,7 +10,7 @@
 
 namespace pointrt {
 
-/// In window units. None if the point is behind the eye, or too far outside for float precision.
+/// The place in window units. None if the point is behind the eye, or too far outside for float precision.
 std::optional<ImVec2> onScreen(const Workspace& w, Vec3 point);
 
 } // namespace pointrt

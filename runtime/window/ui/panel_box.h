@@ -8,7 +8,7 @@
 
 namespace pointrt {
 
-/// Position of a box: at is where its pivot lies (0, 0: its upper left corner).
+/// Position of a box: its pivot (0, 0: its upper left corner) is at `at`.
 struct BoxPlace {
     ImVec2 at, pivot;
 };

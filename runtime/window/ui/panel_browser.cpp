@@ -30,7 +30,7 @@ void drawEntry(Workspace& w, FileBrowser& browser, FileBrowser::Entry& entry) {
     const std::string path = (std::filesystem::path(browser.folder) / entry.name).string();
     const bool is_second = ImGui::IsMouseDoubleClicked(0);
     if (entry.is_folder) {
-        // the first click of a double click has listed the folder's entries: the second one falls on one of them
+        // the first click of a double click listed the folder's entries, so the second one falls on one of them
         if (!is_second) w.requests.browse = path;
     } else if (is_second && entry.chosen)
         w.requests.open_files = {path};
@@ -47,7 +47,7 @@ void drawEntries(Workspace& w, FileBrowser& browser) {
     }
 }
 
-/// Lists the folder that was typed or pasted, or opens the file.
+/// Lists the folder that the user typed or pasted, or opens the file.
 void takeTyped(Workspace& w, const std::string& path) {
     if (isToOpen(path))
         w.requests.open_files = {path};

@@ -60,7 +60,8 @@ void drawColumn(const char* id, bool first) {
 
 void drawCheatSheet(Workspace& w, FreeArea area) {
     const float column = (kPressWidth + kDoesWidth + 2 * kSheetMargin) * uiScale();
-    if (area.width < column) area.width = ImGui::GetIO().DisplaySize.x; // wider than the free area: overlap the panel
+    // if the area is too narrow, the list overlaps the panel
+    if (area.width < column) area.width = ImGui::GetIO().DisplaySize.x;
     const bool wide = area.width > 2 * column;
     ImGui::SetNextWindowPos(ImVec2(area.width / 2, area.height / 2), ImGuiCond_Always, ImVec2(0.5f, 0.5f));
     ImGui::SetNextWindowSizeConstraints(ImVec2(1, 1), ImVec2(area.width, area.height));

@@ -17,8 +17,9 @@
 namespace pointrt {
 namespace {
 
-constexpr const char* kClipLength = "%.6g"; // coordinates of national grids to a metre, small scans to a micrometre
-/// Edges of a box, as a share of the scene: thinner ones are hard to grip again.
+// resolves coordinates of national grids to a metre, those of small scans to a micrometre
+constexpr const char* kClipLength = "%.6g";
+/// Smallest edge of a box, as a share of the scene: thinner boxes are hard to grab again.
 constexpr double kThinnest = 1e-4;
 
 int& selectedClip(const Workspace& w) {

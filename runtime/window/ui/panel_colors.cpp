@@ -20,7 +20,7 @@ constexpr auto kMapLabels = [] {
     return labels;
 }();
 
-/// Off, in the window, or in saved pictures as well.
+/// Off, in the window only, or in saved pictures as well.
 constexpr std::array kLegendLabels = {"off", "in the window", "in PNGs too"};
 
 void drawAttributeChoice(Workspace& w) {

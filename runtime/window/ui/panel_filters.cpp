@@ -19,7 +19,7 @@ namespace {
 /// Height of a histogram in lines of text.
 constexpr float kHistogramLines = 3;
 
-/// Attributes to filter by: those to colour by that are numbers.
+/// The attributes to filter by: those to colour by that are numbers.
 std::vector<std::string> filterWords(const Workspace& w) {
     std::vector<std::string> words;
     std::copy_if(w.color_words.begin(), w.color_words.end(), std::back_inserter(words),
@@ -57,7 +57,8 @@ void drawValues(Workspace& w, SplatSelection& selection, const std::vector<doubl
         std::vector<ValueRange> ranges;
         for (const double each : values)
             if (each == value ? shown : selects(selection, each)) ranges.push_back({each, each});
-        // a filter without a range would be incomplete: nothing is shown by a value that no point has
+        // if no range is left, a range with a value that no point has hides everything; a filter without ranges would
+        // be incomplete
         if (ranges.empty()) ranges.push_back({values.back() + 1, values.back() + 1});
         selection.ranges = std::move(ranges);
     }
@@ -68,7 +69,7 @@ double& nearerEnd(ValueRange& range, double number) {
     return std::abs(number - range.low) < std::abs(number - range.high) ? range.low : range.high;
 }
 
-/// Bars, bright where they are shown. Dragging moves the nearer end of the range.
+/// Bars, bright for shown values. Dragging moves the nearer end of the range.
 bool drawHistogram(const NumberHistogram& histogram, ValueRange& range) {
     const ImVec2 size{ImGui::GetContentRegionAvail().x, kHistogramLines * ImGui::GetTextLineHeight()};
     const ImVec2 corner = ImGui::GetCursorScreenPos();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Handles over the picture: arrows that move the selected layer along the axes, and arcs that turn it about them.
+// Handles over the picture: arrows that move the selected layer along the axes, and arcs that rotate it about them.
 #include <imgui.h>
 
 #include <algorithm>
@@ -31,18 +31,18 @@ constexpr std::array<GizmoAxis, 3> kAxes{{{"##move x", "##turn x", {1, 0, 0}, IM
                                           {"##move z", "##turn z", {0, 0, 1}, IM_COL32(90, 140, 245, 255)}}};
 /// Length of the arrows as a share of the picture's height.
 constexpr double kArrowShare = 0.12;
-/// Radius of the arcs in lengths of the arrows: they cross between the arrows without touching their handles.
+/// Radius of the arcs relative to the arrows: they cross between the arrows without touching their handles.
 constexpr double kArcRadius = 0.75;
-/// Chords of an arc of a quarter turn, which look round at any size on a screen.
+/// Chords of an arc of a quarter turn: enough to look round at any size on a screen.
 constexpr int kArcChords = 16;
 /// Radius of a handle in window units; a finger's width is twice as much.
 constexpr float kHandleRadius = 9;
-/// An axis that is seen nearly from its end cannot be dragged along: the fewest window units that its arrow takes.
+/// An axis seen nearly from its end cannot be dragged along: the smallest length of its arrow, in window units.
 constexpr float kShortestArrow = 12;
 
 float lengthOf(ImVec2 v) { return std::sqrt(v.x * v.x + v.y * v.y); }
 
-/// Length of the arrows in the scene, at a point.
+/// Length of the arrows in scene units, at a point.
 double arrowLength(const Workspace& w, Vec3 at) {
     const double depth = dot(at - w.camera.eye, axesOf(w.camera).forward);
     const double height =
@@ -50,8 +50,8 @@ double arrowLength(const Workspace& w, Vec3 at) {
     return kArrowShare * height;
 }
 
-/// A handle that takes the mouse from the picture. Returns how far it is dragged in this frame, which it reports as an
-/// edit of the scene.
+/// A handle that captures the mouse. Returns how far it is dragged in this frame, and reports that as an edit of the
+/// scene.
 struct HandleDrag {
     ImVec2 by;
     bool held;
@@ -76,13 +76,13 @@ HandleDrag dragHandle(Workspace& w, const char* id, ImVec2 at, float radius) {
     return {dragged, held};
 }
 
-/// Lengths of an axis on the screen that a drag along it covers.
+/// The distance of a drag along an axis, relative to the axis's length on the screen.
 double shareOf(ImVec2 drag, ImVec2 axis) {
     const float pixels = lengthOf(axis);
     return static_cast<double>(drag.x * axis.x + drag.y * axis.y) / static_cast<double>(pixels * pixels);
 }
 
-/// A layer with handles: where they stand, and the length of the arrows.
+/// The handles of a layer: their place, and the length of the arrows.
 struct Gizmo {
     LayerId layer;
     Vec3 middle;
@@ -118,7 +118,7 @@ void drawArc(const Workspace& w, const Gizmo& gizmo, std::size_t axis) {
     }
 }
 
-/// Draws an arc of a quarter turn and turns the layer by a drag of its handle, which follows the mouse while it is
+/// Draws an arc of a quarter turn and rotates the layer by a drag of its handle, which follows the mouse while it is
 /// held.
 void drawTurn(Workspace& w, const Gizmo& gizmo, std::size_t axis) {
     constexpr double kMiddle = 45;
@@ -127,7 +127,7 @@ void drawTurn(Workspace& w, const Gizmo& gizmo, std::size_t axis) {
     const auto place = onScreen(w, onArc(gizmo, axis, at)), ahead = onScreen(w, onArc(gizmo, axis, at + 1));
     if (!place || !ahead) return;
     const ImVec2 degree(ahead->x - place->x, ahead->y - place->y);
-    const double radius_degrees = 1 / kDegree; // a drag as long as the radius turns by a radian
+    const double radius_degrees = 1 / kDegree; // dragging as far as the radius rotates by one radian
     if (static_cast<double>(lengthOf(degree)) * radius_degrees < static_cast<double>(kShortestArrow * uiScale()))
         return;
     drawArc(w, gizmo, axis);

@@ -84,18 +84,18 @@ void drawMeasureValues(const Workspace& w, MeasureDescription& measure) {
     ImGui::EndDisabled();
 }
 
-/// Where a scan lies: its translation, turns about the axes of the world through its middle, and its scale.
+/// The place of a scan: its translation, rotations about the world axes through its middle, and its scale.
 void drawPlacement(Workspace& w, InstanceDescription& scan, Vec3 centre) {
     Placement& placement = scan.placement;
     reportSceneEdit(w, pointRow("Moved by", placement.translation, sceneSize(w), w.measure_units.unit,
                                 "added to the scan's coordinates; drag, or Ctrl + click to type"));
-    constexpr double kDegreesAUnit = 0.25; // a quarter turn for a drag across the panel
+    constexpr double kDegreesAUnit = 0.25; // a drag across the panel is a quarter turn
     const struct {
         const char* name;
         Vec3 axis;
     } turns[] = {{"Turn about X", {1, 0, 0}}, {"Turn about Y", {0, 1, 0}}, {"Turn about Z", {0, 0, 1}}};
     for (const auto& turn : turns) {
-        double degrees = 0; // each drag turns further
+        double degrees = 0; // each drag rotates further
         const bool changed = dragRow(turn.name, degrees, {-180, 180}, kDegreesAUnit, "%.2f\u00b0",
                                      "about the scan's middle; drag, or Ctrl + click to type degrees");
         if (reportSceneEdit(w, changed)) placement = turned(placement, centre, turn.axis, degrees);
@@ -105,7 +105,7 @@ void drawPlacement(Workspace& w, InstanceDescription& scan, Vec3 centre) {
         placement = scaledTo(placement, centre, scale);
 }
 
-/// Offers to bake the scans again with another kind of splats: other splats reach into other cells.
+/// Offers to bake the scans again with another kind of splats: with other splats, cells have other lists.
 void drawSplatKind(Workspace& w) {
     if (!w.may_bake_again) return;
     constexpr struct {
@@ -179,12 +179,13 @@ void drawShape(Workspace& w, ShapeDescription& shape) {
     ImGui::EndDisabled();
 }
 
-/// At the last picked point; else in front of the scan, on the level of its lowest point: what is beside it may be out
-/// of the picture.
+/// The place for a new shape: at the last picked point; else in front of the scan, at the height of its lowest point,
+/// since places beside the scan may be outside the picture.
 ShapePlace placeOfNewShape(const Workspace& w) {
     const ViewAxes axes = axesOf(w.camera);
     const Vec3 up = sceneUpright(w);
-    const bool from_above = std::abs(dot(axes.forward, up)) > 0.99; // then it faces the lower edge of the picture
+    // the shape then faces the lower edge of the picture
+    const bool from_above = std::abs(dot(axes.forward, up)) > 0.99;
     const Vec3 towards_eye = from_above ? -1.0 * axes.up : -1.0 * axes.forward;
     constexpr double kShareOfScene = 0.2;
     const double size = kShareOfScene * sceneSize(w);

@@ -21,7 +21,7 @@ namespace {
 /// Rows before the list scrolls.
 constexpr int kMaxRows = 5;
 
-/// Area lights count as shapes too, and a sky image counts as a light.
+/// Whether there is room for a light. Area lights count as shapes too, and a sky image counts as a light.
 bool isRoomFor(const SceneDescription& scene, bool surface) {
     const std::size_t sky = scene.sky && !scene.sky->image.empty() ? 1 : 0;
     if (scene.lights.size() + sky >= MAX_LIGHTS) return false;

@@ -120,7 +120,7 @@ struct FieldRows {
     }
 
     void operator()(const LayerField&) const {}    // in the list of layers
-    void operator()(const EmissionField&) const {} // drawn above, for all lights alike
+    void operator()(const EmissionField&) const {} // drawn above, in the same way for all lights
 };
 
 template <Light L>

@@ -11,8 +11,8 @@
 namespace pointrt {
 namespace {
 
-/// Edits absorption as the colour of white light after a tenth of the scene's size, which is easier to judge than
-/// absorption per length.
+/// Edits absorption as the colour of white light after a tenth of the scene's size, which is easier to judge than an
+/// absorption coefficient.
 void tintRow(Workspace& w, const MaterialField& field, Color& absorption) {
     const double depth = 0.1 * sceneSize(w);
     constexpr double darkest = 1e-3;

@@ -19,7 +19,7 @@
 namespace pointrt {
 namespace {
 
-/// Three decimals: 1/16 of a degree.
+/// Three decimals resolve 1/16 of a degree.
 std::string normalText(Vec3 normal) {
     constexpr double unit_with_three_decimals = 10;
     return pointText(normal, unit_with_three_decimals);

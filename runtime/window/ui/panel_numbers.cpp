@@ -22,7 +22,7 @@ int decimalsFor(double size) {
 }
 
 std::string lengthText(double value, double size) {
-    constexpr double widest = 1e12; // beyond this the exponent says more than digits
+    constexpr double widest = 1e12; // for larger numbers, an exponent is clearer than digits
     if (!(std::abs(value) < widest)) return formatted("%.*g", 4, value);
     return formatted("%.*f", decimalsFor(size), value);
 }

@@ -18,7 +18,7 @@ constexpr int kPictures = 36; // one per 10 degrees
 constexpr std::uint32_t kMaxPictures = 3600;
 static_assert(kMaxPictures <= kMaxTurntable);
 
-/// Pictures of any size, rendered one after another while one works on.
+/// Pictures of any size, rendered one after another while the user continues.
 void drawStills(Workspace& w) {
     ImGui::TextDisabled("Stills");
     constexpr SliderRange kPixels{1, kMaxPixelSide, true};

@@ -53,8 +53,8 @@ struct FreeArea {
     float width = 1, height = 1;
 };
 
-/// Handles of the selected layer, if a section shows it: arrows to drag it along the axes, arcs to turn it about them.
-/// After the panel.
+/// The handles of the selected layer, if a section shows it: arrows to drag it along the axes, arcs to rotate it about
+/// them. Call it after the panel.
 void drawGizmo(Workspace& w);
 /// Over the picture, with the measurements of the scene:
 void drawPickMarks(const Workspace& w);
@@ -73,9 +73,9 @@ void drawPalette(Workspace& w, FreeArea area);
 void drawBrowser(Workspace& w, FreeArea area);
 /// The running job, with notices above it, at the middle of the lower edge.
 void drawJobAndNotices(Workspace& w, FreeArea area);
-/// In the middle while nothing is open: what is being opened, or how to open something.
+/// In the middle while no scene is open: what is being opened, or how to open something.
 void drawEmptyState(Workspace& w, FreeArea area);
-/// A way back if no scan is in view.
+/// A button that leads back if no scan is in view.
 void drawWayBack(Workspace& w, FreeArea area);
 /// The question, if any, over everything else.
 void drawQuestion(Workspace& w);

@@ -18,7 +18,7 @@ constexpr auto kShown = [] {
     return labels;
 }();
 
-/// Exposures for which a slider is precise enough.
+/// The range in which a slider is precise enough.
 constexpr SliderRange kExposures{-8, 8};
 static_assert(rowOf<&RenderSettings::exposure>().limits.low <= kExposures.low &&
               kExposures.high <= rowOf<&RenderSettings::exposure>().limits.high);

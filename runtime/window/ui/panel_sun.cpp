@@ -48,7 +48,7 @@ void dayText(const SunDate& date, char (&text)[32]) {
                   months[static_cast<unsigned>(day.month()) - 1]);
 }
 
-/// Takes the scan's place on the Earth once it is known.
+/// Uses the scan's place on the Earth once it is known.
 void takePlace(Workspace& w, SunDate& date) {
     if (!w.place_sought) w.requests.find_place = true;
     if (!w.earth_place || std::exchange(w.place_taken, true)) return;
@@ -106,7 +106,7 @@ void drawSunByDate(Workspace& w, Vec3& towards) {
     SunPosition position = positionAt(date);
     zoneText(date);
     if (w.earth_place) {
-        position.azimuth_deg -= w.earth_place->convergence_deg; // north of the map is not true north
+        position.azimuth_deg -= w.earth_place->convergence_deg; // the map's north differs from true north
         dimText("Place: the scan's, by its coordinate system.");
     }
     const Vec3 up = sceneUpright(w);

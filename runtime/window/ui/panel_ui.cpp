@@ -16,7 +16,7 @@ namespace {
 
 /// Design units.
 constexpr float kPanelWidth = 300;
-/// Narrow windows keep some of the picture.
+/// Limit that keeps some of the picture in narrow windows.
 constexpr float kMaxWindowShare = 0.6f;
 
 struct Section {
@@ -32,7 +32,7 @@ constexpr Section kSections[] = {
     {"Measure", drawMeasure, false},     {"Output", drawOutput, false},  {"About", drawAbout, false},
 };
 
-/// Scrolls down to the end of the section that was just drawn, or as far as its header stays in sight.
+/// Scrolls down to the end of the section that was just drawn, but only so far that its header stays visible.
 void showSection(float header_y) {
     const float below = ImGui::GetCursorScreenPos().y - ImGui::GetIO().DisplaySize.y;
     if (below > 0) ImGui::SetScrollY(ImGui::GetScrollY() + std::min(below, header_y));
@@ -85,10 +85,10 @@ Vec3 sceneUpright(const Workspace& w) {
 
 void drawUi(Workspace& w) {
     const ImVec2 window = ImGui::GetIO().DisplaySize;
-    const bool has_panel = w.show_panel && hasScene(w); // without a scene it would have nothing to edit
+    const bool has_panel = w.show_panel && hasScene(w); // without a scene there is nothing to edit
     const FreeArea area{std::max(1.0f, window.x - (has_panel ? shownWidth() : 0)), std::max(1.0f, window.y)};
     drawPickMarks(w);
-    const float below = w.show_panel ? drawToolbar(w, area) : 0; // without the panel, nothing but the picture
+    const float below = w.show_panel ? drawToolbar(w, area) : 0; // without the panel, only the picture is shown
     if (w.show_hud) drawHud(w, area, below);
     drawLegendBox(w, area);
     drawEmptyState(w, area);

@@ -63,7 +63,7 @@ float decoded(float value) { return value <= 0.04045f ? value / 12.92f : std::po
 
 void tooltip(const char* tip) {
     if (*tip == '\0' || !ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled) || ImGui::IsItemActive()) return;
-    constexpr float patience_s = 0.5f; // tooltips cover the rows below
+    constexpr float patience_s = 0.5f; // delay of tooltips, which cover the rows below
     const ImGuiContext& context = *ImGui::GetCurrentContext();
     if (context.HoveredId != 0 && context.HoveredIdTimer < patience_s) return;
     ImGui::BeginTooltip();
@@ -109,7 +109,7 @@ bool dragRow(const char* name, double& value, SliderRange range, double step, co
 }
 
 bool pointRow(const char* name, Vec3& point, double size, const std::string& unit, const char* tip) {
-    constexpr double steps_in_scene = 500; // about the size of a scene on the screen, window units
+    constexpr double steps_in_scene = 500; // about the number of window units that a scene takes on the screen
     ImGui::PushID(name);
     ImGui::TextUnformatted((unit.empty() ? name : name + (" (" + unit + ")")).c_str());
     tooltip(tip);

@@ -33,8 +33,8 @@ constexpr std::pair<ImGuiKey, Key> kUiKeys[] = {
     {ImGuiKey_Z, keyOf('Z')},
 };
 
-// Since 1.89 ImGui takes input as events and has its own key numbers; earlier versions take the state at the start of a
-// frame.
+// Since 1.89, ImGui takes input as events and has its own key numbers; earlier versions read the state at the start of
+// a frame.
 #if IMGUI_VERSION_NUM >= 18900
 
 void setUpKeys(ImGuiIO& io) {

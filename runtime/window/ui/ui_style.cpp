@@ -49,7 +49,7 @@ void setUpFont(float pixels, float pixels_per_unit) {
 
 ImVec4 grey(float value, float alpha = 1) { return {value, value, value, alpha}; }
 
-/// Light colours are the dark ones the other way round, with lighter surfaces: those of paper.
+/// Light colours are the dark ones inverted, with lighter surfaces, like paper.
 ImVec4 lightened(const ImVec4& dark) {
     constexpr float kPaper = 1.07f;
     const auto turned = [](float value) { return std::clamp(kPaper - value, 0.0f, 1.0f); };
@@ -58,7 +58,7 @@ ImVec4 lightened(const ImVec4& dark) {
 
 bool isGrey(const ImVec4& color) { return color.x == color.y && color.y == color.z; }
 
-/// The accent colour: for what is selected, held or in progress.
+/// The accent colour: for things that are selected, held or in progress.
 ImVec4 accent(float alpha) { return {0.36f, 0.62f, 0.80f, alpha}; }
 
 void setSurfaces(ImVec4* colors) {
@@ -89,7 +89,7 @@ void setControls(ImVec4* colors) {
     colors[ImGuiCol_HeaderHovered] = grey(0.25f);
     colors[ImGuiCol_HeaderActive] = accent(0.55f);
     colors[ImGuiCol_CheckMark] = accent(1);
-    colors[ImGuiCol_SliderGrab] = accent(0.55f); // numbers are drawn over it
+    colors[ImGuiCol_SliderGrab] = accent(0.55f); // a share of it, as numbers are drawn on top
     colors[ImGuiCol_SliderGrabActive] = accent(0.8f);
     colors[ImGuiCol_PlotHistogram] = accent(0.9f);
     colors[ImGuiCol_NavHighlight] = accent(1);

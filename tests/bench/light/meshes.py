@@ -100,7 +100,7 @@ def sweep(positions, normals):
 
 
 def ring():
-    """A wall around the y axis, upright but for rounded edges, laid out as sphere()."""
+    """An upright wall around the y axis with rounded edges, laid out as sphere()."""
     half = np.linspace(0, np.pi, RING_EDGE_SIDES + 1)
     side = np.concatenate([half, half + np.pi])  # 0: outwards; the jumps at 0 and pi are the upright stretches
     high = np.repeat([RING_TOP - RING_EDGE_RADIUS, RING_BOTTOM + RING_EDGE_RADIUS], len(half))
@@ -147,7 +147,7 @@ def writePly(path, positions, normals, faces):
 
 
 def readPly(path):
-    """What writePly wrote, and only that."""
+    """Reads what writePly wrote, and nothing else."""
     with open(path, "rb") as file:
         content = file.read()
     start = content.index(b"end_header\n") + len(b"end_header\n")

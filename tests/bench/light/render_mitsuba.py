@@ -5,8 +5,8 @@ Spheres are analytic, everything else is a mesh. The EXR is linear: R, G, B. Wit
 rays through pixel centres instead of light: Z (distance, infinite for a miss), N.X, N.Y, N.Z (towards the eye) and ID
 (instances in their order, from 1; 0: anything else).
 
-For a "caustic" scene, the picture is the light of all paths minus that of paths from the floor straight to the lamp. Both
-are traced with the same random numbers, so that the noise of their common light cancels.
+For a "caustic" scene, the picture is the light of all paths minus the light of paths that go straight from the floor to
+the lamp. Both are traced with the same random numbers, so that the noise of their common light cancels.
 
 Needs LLVM 17 or newer (Debian's libllvm19), found as DRJIT_LIBLLVM_PATH.
 """
@@ -53,7 +53,7 @@ def quadFrame(quad):
 
 
 def lamp(light):
-    """Black but for what it emits."""
+    """Black except for its own emission."""
     if light["type"] == "point":
         return {"type": "point", "position": light["position"], "intensity": rgb(light["intensity"])}
     looks = {"emitter": {"type": "area", "radiance": rgb(light["radiance"])},
@@ -102,11 +102,11 @@ def load(scene, folder):
     content |= {f"lamp-{i}": lamp(light) for i, light in enumerate(scene["lights"])}
     if any(scene["sky"]):
         content["sky"] = {"type": "constant", "radiance": rgb(scene["sky"])}
-    return mi.load_dict(content, optimize=False)  # which would merge shapes and lose their names
+    return mi.load_dict(content, optimize=False)  # optimization would merge shapes and lose their names
 
 
 def pathTracer(bounces):
-    # Mitsuba counts edges of paths, the one from the eye included.
+    # Mitsuba counts the edges of paths, including the one from the eye.
     return mi.load_dict({"type": "path", "max_depth": bounces + 2, "rr_depth": 8})
 
 

@@ -18,7 +18,7 @@ sys.dont_write_bytecode = True  # Blender does not read the environment variable
 sys.path.append(str(pathlib.Path(__file__).resolve().parent))
 import meshes
 
-LAMP_LEVELS = 5  # 20480 facets: 0.03% of a sphere's area missing
+LAMP_LEVELS = 5  # 20480 facets, which lack 0.03% of a sphere's area
 
 
 def principled(nodes, material):
@@ -37,7 +37,7 @@ def simple(nodes, kind, material):
     node = nodes.new(names[kind])
     node.inputs["Color"].default_value = (*material["color"], 1)
     node.inputs["Roughness"].default_value = 0
-    if kind != "matte" and bpy.app.version < (4, 0):  # later ones take roughness 0 as that
+    if kind != "matte" and bpy.app.version < (4, 0):  # later versions do this if roughness is 0
         node.distribution = "SHARP"
     if kind == "glass":
         node.inputs["IOR"].default_value = material["index"]
@@ -84,7 +84,7 @@ def addMesh(name, positions, normals, faces, material):
     mesh.polygons.foreach_set("use_smooth", np.full(len(faces), normals is not None))
     mesh.update(calc_edges=True)
     if normals is not None:
-        if bpy.app.version < (4, 1):  # later ones always take a mesh's own normals
+        if bpy.app.version < (4, 1):  # later versions always use a mesh's own normals
             mesh.use_auto_smooth = True
         mesh.normals_split_custom_set_from_vertices(np.asarray(normals, np.float32).tolist())
     mesh.materials.append(material)
@@ -171,7 +171,7 @@ def build(scene, folder):
 
 
 def plainPathTracing(scene, spp, seed):
-    """Nothing that trades truth for less noise: no clamps, no blurred gloss, no thresholds, no denoiser."""
+    """No settings that trade accuracy for less noise: no clamping, no glossy filtering, no thresholds, no denoiser."""
     settings = bpy.context.scene
     settings.render.engine = "CYCLES"
     cycles = settings.cycles

@@ -14,7 +14,7 @@ A scene is a dict:
   size       pixels of a side, instead of the option's
 """
 
-BOUNCES = 16  # past which under 1 in 1000 of the light is left in each of these scenes
+BOUNCES = 16  # beyond which less than 1 in 1000 of the light is left in each of these scenes
 
 CAMERA = {"eye": [0.3, 2.6, 7.2], "target": [0.1, 0.95, 0], "up": [0, 1, 0], "fov": 36}
 

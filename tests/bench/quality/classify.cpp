@@ -11,7 +11,7 @@ namespace pointrt::quality {
 
 namespace {
 
-/// Slope between two pixels that counts as a depth jump: a surface at 79 degrees to the view.
+/// Slope between two pixels that counts as a depth jump: that of a surface at 79 degrees to the view.
 constexpr float kSteepest = 5;
 
 std::size_t at(int row, int column) {

@@ -28,7 +28,7 @@ def road_height(x, y):
 
 
 def profiles(random, apart, skew):
-    """Twelve profiles at least; skew: metres ahead for each metre across."""
+    """At least twelve profiles; skew: metres along the road for each metre across."""
     points = []
     for line in range(int(max(2.4, 12 * apart) / apart) + 1):
         x = np.arange(-HALF_ROAD_M, HALF_ROAD_M, 0.005)
@@ -96,7 +96,7 @@ class Sensor(typing.NamedTuple):
 SENSORS = {
     "scanner": Sensor(240, 48, np.pi, 0.63, lambda _: 0.01),
     "16 lines": Sensor(900, 16, np.pi, np.radians(15), lambda _: 0.01),
-    # Standard deviation by range as of the Kinect of 2010 (devices/devices.h); steps of 2.6 cm at 4 m.
+    # Standard deviation by range as for the Kinect of 2010 (devices/devices.h); steps of 2.6 cm at 4 m.
     "depth camera": Sensor(160, 120, 0.52, 0.39, lambda ranges: 1.4e-3 * ranges**2),
 }
 FRAMES = {"scanner": [(3, 0), (10, 0), (30, 0), (10, 0.003), (10, 0.01)],

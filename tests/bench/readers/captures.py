@@ -40,9 +40,9 @@ def parameters(path):
 
 
 def explained(name, theirs, capture):
-    """The largest difference that a .pro explains (format/SPEC.md, Precision). A .pro has 4095 steps between the least
-    and the largest deviation, 511 between the least and the largest colour, of blue half as many, 127 up to the largest
-    harmonic; positions are rounded to floats and to 2^-28 of a cube."""
+    """The largest difference that a .pro explains (format/SPEC.md, Precision). A .pro has 4095 steps between the
+    smallest and the largest deviation, 511 between the smallest and the largest colour (half as many for blue), and 127
+    up to the largest harmonic; positions are rounded to floats and to 2^-28 of a cube."""
     if name == "rotation":  # the bytes of .splat are read as b / 128 - 1 or as 2 b / 255 - 1, up to 1/128 apart
         return 0.0687 / 180 * np.pi + (2 * np.sqrt(4) / 128 if capture.endswith(".splat") else 0)
     return 1.01 * {"position": 2.0 ** -23,  # of the extent

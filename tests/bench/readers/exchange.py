@@ -32,7 +32,7 @@ class Cloud:
 
 
 class Files:
-    """The files, and what is to be read of each."""
+    """The files, and what must be read from each."""
 
     def __init__(self, folder):
         self.folder, self.expected = folder, {}

@@ -25,7 +25,7 @@ def used_vertices(mesh):
 
 
 def read_mesh(path):
-    """The vertices that faces use, as ours; where a scene has several materials, each has vertices of its own."""
+    """The vertices that faces use, as in our reader; if a scene has several materials, each has vertices of its own."""
     import trimesh
     loaded = trimesh.load(path, process=False, maintain_order=True)
     parts = loaded.dump() if isinstance(loaded, trimesh.Scene) else [loaded]
@@ -39,7 +39,7 @@ def draco_in_this_process(path):
     with open(path, "rb") as file:
         decoded = DracoPy.decode(file.read())
     theirs = plain("DracoPy", decoded.points, float(np.finfo(np.float32).eps))
-    if decoded.colors is not None and decoded.colors.dtype == np.uint8:  # ours rounds other kinds
+    if decoded.colors is not None and decoded.colors.dtype == np.uint8:  # ours rounds other types
         theirs["colors"] = [float(column.sum()) for column in decoded.colors[:, :3].astype(np.float64).T]
     return theirs
 
@@ -63,7 +63,7 @@ NAMES = {"x": "x", "easting": "x", "y": "y", "northing": "y", "z": "z", "elevati
 
 
 def read_table(path):
-    """Text of plain columns, of which x, y and z are those of these names, or the first three."""
+    """Text in columns; x, y and z are the columns of these names, or the first three."""
     import pandas
     with open(path, encoding="utf-8", errors="replace") as file:
         first, second = file.readline(), file.readline()
@@ -80,7 +80,7 @@ def read_table(path):
 
 
 def read_ptx(path):
-    """Scans after one another: columns, rows, ten lines of poses, then points; 0 0 0 is no point."""
+    """Scans one after another: columns, rows, ten lines of poses, then points; 0 0 0 means no point."""
     with open(path, encoding="ascii") as file:
         lines = file.read().split("\n")
     at, parts = 0, []
@@ -118,7 +118,7 @@ def read_spz(path):
         data = file.read()
     if data[:2] == b"\x1f\x8b":
         data = gzip.decompress(data)
-    if int.from_bytes(data[4:8], "little") > 3:  # sections of their own
+    if int.from_bytes(data[4:8], "little") > 3:  # sections of its own
         return read_gaussians(path, (1, -1, -1))  # from right, up, back to right, down, front
     count, fraction_bits = int.from_bytes(data[8:12], "little"), data[13]
     packed = np.frombuffer(data[16:16 + 9 * count], np.uint8).reshape(-1, 3).astype(np.int32)

@@ -7,7 +7,7 @@ import numpy as np
 import other_kinds
 from results import in_own_process, with_extents
 
-# laspy's dimensions that are not attributes here: positions and colours
+# laspy's dimensions that are not attributes in our reader: positions and colours
 LAS_ROLES = {"X", "Y", "Z", "red", "green", "blue"}
 # not read here
 LAS_WAVEFORM = {"wavepacket_index", "wavepacket_offset", "wavepacket_size", "return_point_wave_location", "x_t", "y_t",
@@ -45,7 +45,7 @@ def e57_positions(raw):
 
 
 def e57_columns(file, scan):
-    """All columns of a scan as doubles: pye57's read_scan_raw lacks some, and reads colours as bytes."""
+    """All columns of a scan as doubles: pye57's read_scan_raw omits some, and reads colours as bytes."""
     from pye57 import libe57
     points = file.get_header(scan).points
     prototype = libe57.StructureNode(points.prototype())
@@ -81,7 +81,7 @@ def read_e57(path):
                 attributes.setdefault(attribute, []).append(raw[name] + from_0)
     positions = np.concatenate(positions)
     whole = {name: np.concatenate(parts) for name, parts in attributes.items()}
-    # columns of some scans only are 0 or NaN in the others
+    # columns that only some scans have are 0 or NaN in the others
     return with_extents("pye57", positions, {name: array for name, array in whole.items()
                                              if len(array) == len(positions)})
 
@@ -117,7 +117,7 @@ def read_ply(path):
 
 
 def read_any_ply(path):
-    """plyfile refuses the headers of Cyberware's scans, and knows no packed Gaussians."""
+    """plyfile rejects the headers of Cyberware's scans and does not support packed Gaussians."""
     if path.endswith(".compressed.ply"):
         return other_kinds.read_gaussians(path)
     with open(path, "rb") as file:
@@ -133,13 +133,13 @@ def pcd_in_this_process(path):
         raise ValueError("no points")
     positions = points["positions"].numpy()
     theirs = with_extents("open3d", positions.astype(np.float64), {name: points[name].numpy() for name in names})
-    # text becomes floats if the header says so, where ours stays as precise as written
+    # text becomes floats if the header says so, where our reader keeps the precision of the text
     theirs["relative_step"] = float(np.finfo(positions.dtype).eps)
     return theirs
 
 
 def read_pcd(path):
-    """Some files end the process."""
+    """Some files crash the process."""
     return in_own_process(pcd_in_this_process, path)
 
 
@@ -164,5 +164,5 @@ def read(path):
         return None, None
     try:
         return reader(path), None
-    except Exception as error:  # any failure of theirs
+    except Exception as error:  # any failure of theirs counts
         return None, "%s: %s" % (type(error).__name__, str(error).split("\n")[0][:100])

@@ -67,7 +67,7 @@ Json attributeOf(const Attribute& attribute) {
     return json;
 }
 
-/// The least that a bake needs from here on.
+/// The minimum that a bake needs from here on.
 std::uint64_t bytesOf(const Cloud& cloud) {
     std::uint64_t bytes = cloud.positions.size() * sizeof(Vec3f) + cloud.normals.size() * sizeof(Vec3f) +
                           cloud.colors.size() * sizeof(Rgb8) + cloud.radii.size() * sizeof(float) +

@@ -27,7 +27,7 @@ def with_extents(reader, positions, attributes):
 
 
 def in_own_process(function, path):
-    """function(path) in a process of its own: some libraries end theirs, or damage its heap."""
+    """Calls function(path) in a separate process: some libraries end theirs, or corrupt its heap."""
     with concurrent.futures.ProcessPoolExecutor(1) as pool:
         return pool.submit(function, path).result()
 

@@ -74,7 +74,7 @@ def far_apart(ours, theirs):
 
 
 def most_apart(truth, path):
-    """What rounding explains: LAS keeps the scale of the file that was baked, the others have floats or doubles."""
+    """The difference that rounding explains: LAS keeps the scale of the baked file, the others have floats or doubles."""
     if path.endswith(("las", "laz")):
         import laspy
         with laspy.open(path) as file:

@@ -63,7 +63,7 @@ def against_truth(ours, truth, theirs):
     counted = number and "lines" not in str(truth["points"])
     if counted and int(number.group()) != ours["points"]:
         wrong.append("%d points, truth has %s" % (ours["points"], truth["points"]))
-    black = "rgb max 0" in truth.get("note", "")  # which we treat as no colour
+    black = "rgb max 0" in truth.get("note", "")  # our reader treats black as no colour
     if truth["col"] is not None and (truth["col"] and not black) != (ours["colors"] is not None):
         wrong.append("colours %s, truth says %s" % (ours["colors"] is not None, truth["col"]))
     # meshes without normals get them from their faces; normals that are all zero are none
@@ -76,7 +76,7 @@ def against_truth(ours, truth, theirs):
     if len(extents) == 3 and ours["unused"] == 0 and not (theirs or {}).get("gaussians"):
         for axis, (least, most) in zip(range(3), extents):
             mine = ours["positions"][axis]
-            # it has six digits, and float positions seven of the cloud's size
+            # pts has six digits, and float positions seven relative to the cloud's size
             step = 6e-6 * max(abs(least), abs(most), most - least, 1e-12)
             if "min" not in mine or not near(mine["min"], least, step) or not near(mine["max"], most, step):
                 wrong.append("%s %s, truth has %g..%g" % ("xyz"[axis], mine, least, most))

@@ -27,7 +27,7 @@ CHUNK = 1 << 20
 
 
 def quaternion(angle):
-    """About z, w first."""
+    """A rotation about z, w first."""
     return np.array([np.cos(angle / 2), 0, 0, np.sin(angle / 2)])
 
 
@@ -55,7 +55,7 @@ def walls(count, sensor, seed):
 
 
 class Writer:
-    """A file and the limits of what is valid in it, in its own frame."""
+    """A file and the limits of its valid values, in its own frame."""
 
     def __init__(self, path):
         self.path = path
@@ -113,7 +113,7 @@ class Writer:
         self.most = np.maximum(self.most, positions[valid].max(axis=0))
 
     def write(self, points, values):
-        kinds = {"f": "d", "i": "q", "u": "q"}  # "l", which is the same to numpy, is 32 bits to pye57
+        kinds = {"f": "d", "i": "q", "u": "q"}  # numpy treats "l" as the same type, but pye57 reads it as 32 bits
         values = {name: np.ascontiguousarray(array, dtype=kinds[array.dtype.kind]) for name, array in values.items()}
         count = len(next(iter(values.values())))
         size = min(count, CHUNK)
@@ -169,7 +169,7 @@ def scans(writer, count):
     for number in range(4):
         q = quaternion(number * np.pi / 2)
         sensor = np.array([2.0 * number - 3, 1.5 - number, 0.25])
-        # the room as the turned scanner sees it: walls are where they were before the turn
+        # the room as seen by the rotated scanner: the walls stay where they were
         _, _, _, positions, row, column = scene(count // 4, sensor, number)
         positions = positions @ rotation(q)
         positions = positions.astype(np.float32).astype(np.float64)

@@ -4,7 +4,7 @@
 
     pointrt-view SITE.proset --eye ... --target ... --memory 2G --replay flight.txt --offscreen --stats flight.json
 
-W is held down, and the pointer turns the view slowly to the right and back; five screenshots are taken. flight.json has
+It holds W down, slowly turns the view to the right and back, and takes five screenshots. flight.json has
 percentiles of frame times."""
 import sys
 

@@ -1,8 +1,9 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""What clips cost: the least processor time of 20 frames of 256x256 pixels, one sample, with shadows. Rounds of four runs each: a
-former pointrt-view, the current one without a clip, with a box around everything, and with one that cuts away what is
-before the middle. Prints the median of each, and that of its quotients by the former one's of the same round.
+"""The cost of clips: the minimum processor time of 20 frames of 256x256 pixels, one sample, with shadows. Each round
+has four runs: an earlier pointrt-view, and the current one without a clip, with a box around everything, and with a box
+that removes the front half. Prints the median of each, and the median of its ratio to the earlier one in the same
+round.
 
 usage: clips.py FORMER_VIEW VIEW ROUNDS SCAN EYE TARGET BOX_AROUND BOX_BEHIND"""
 import json

@@ -9,10 +9,10 @@
 
 namespace pointrt::test {
 
-enum class EmbreeMode { kSingle, kPackets }; ///< rtcIntersect1 and rtcOccluded1, or those of 8
+enum class EmbreeMode { kSingle, kPackets }; ///< rtcIntersect1 and rtcOccluded1, or rtcIntersect8 and rtcOccluded8
 
 struct EmbreeRun {
-    double seconds = 0;          ///< of tracing, on all cores, the arrays filled before
+    double seconds = 0;          ///< of tracing on all cores, without filling the arrays
     std::vector<EmbreeHit> hits; ///< in the rays' order; any hit has splat 0 and t 0
 };
 

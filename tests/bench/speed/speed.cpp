@@ -39,12 +39,12 @@ public:
         times.ours = camera_ ? caster_.traceCamera() : caster_.traceLoaded(any_hit_);
         times.single = embree(EmbreeMode::kSingle).seconds;
         times.packets = embree(EmbreeMode::kPackets).seconds;
-        if (camera_) caster_.load(rays_); // keeps their hits
+        if (camera_) caster_.load(rays_); // keeps the hits of these rays
         if (!any_hit_) times.blending = caster_.blendHits();
         return times;
     }
 
-    /// Of the last turn.
+    /// Our hits in the last turn.
     std::vector<CastHit> ourHits() { return camera_ ? caster_.cameraHits() : caster_.loadedHits(); }
     std::vector<EmbreeHit> embreeHits() const { return embree(EmbreeMode::kSingle).hits; }
     bool anyHit() const { return any_hit_; }

@@ -26,10 +26,10 @@ run_view() {
     echo "$(sed -n 's/.*"first_frame_seconds": \([0-9.]*\).*/\1/p' "$folder/stats") $(tail -1 "$folder/kib")"
     rm "$folder/stats"
 }
-# both SCENE: first frame, its KiB; preview, its KiB.
+# both SCENE: prints seconds and KiB of the first frame, then of a preview.
 both() { echo "$(run_view "$1" --bench 1) $(run_view "$1" -o "$folder/frame.png")"; }
 
-# column K: the median of that one.
+# column K: prints the median of that column.
 column() { awk -v k="$1" '{ print $k }' "$folder/runs" | sort -g | awk '{ v[NR] = $1 } END { print v[int((NR + 1) / 2)] }'; }
 
 separator='['

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""How soon a scan that nothing was baked of is seen.
+"""How soon a scan that has not been baked yet is displayed.
 
     scans.py BIN_DIR SCAN... [--runs N]
 
@@ -17,12 +17,12 @@ import sys
 import tempfile
 import time
 
-# While there is no picture a replay draws 30 frames a second: this ends in the middle of the full bake.
+# Until there is a picture, a replay draws 30 frames a second: this one ends in the middle of the full bake.
 RECORDING = "pointrt-recording 1 window 1280x720 scale 1\n{frames} quit\n"
 
 
 def run(command, cache):
-    """seconds by the clock, processor seconds"""
+    """wall seconds, processor seconds"""
     shaders = os.environ.get("XDG_CACHE_HOME", os.path.expanduser("~/.cache"))  # the driver's cache is kept
     variables = dict(os.environ, XDG_CACHE_HOME=str(cache), XDG_STATE_HOME=str(cache), MESA_SHADER_CACHE_DIR=shaders)
     before, began = os.times(), time.monotonic()
@@ -32,7 +32,7 @@ def run(command, cache):
 
 
 def first_picture(options, scan, work):
-    """seconds by the clock and of processors until the coarse picture is shown"""
+    """wall seconds and processor seconds until the coarse picture is shown"""
     stats, tape = work / "stats.json", work / "tape.txt"
     tape.write_text(RECORDING.format(frames=options.frames))
     run([options.bin / "pointrt-view", scan, "--replay", tape, "--offscreen", "--stats", stats], work / "window")
@@ -43,7 +43,7 @@ def first_picture(options, scan, work):
 
 
 def files(options, scan, work):
-    """not cached, cached: seconds by the clock and of processors"""
+    """wall and processor seconds, first not cached, then cached"""
     pictures = [work / "first.png", work / "again.png"]
     runs = [run([options.bin / "pointrt-view", "-q", scan, "-o", picture], work / "file") for picture in pictures]
     if pictures[0].read_bytes() != pictures[1].read_bytes():

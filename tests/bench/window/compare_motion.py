@@ -12,9 +12,9 @@ import flip_evaluator
 import numpy
 from PIL import Image
 
-# the part of 1280x720 that neither figures nor the panel cover
+# the part of 1280x720 that neither the statistics nor the panel cover
 TOP, RIGHT = 140, 975
-REACH = 24  # pixels that the picture moves at most between kept frames of the slow orbit
+REACH = 24  # pixels by which the picture moves at most between kept frames of the slow orbit
 
 
 def load(path):

@@ -22,7 +22,7 @@ trap 'rm -rf "$folder"' EXIT
     echo "123 button up left"
 } >"$folder/orbit.txt"
 
-# median SUBMISSION_US: of the moving frames.
+# median SUBMISSION_US: prints the median time of moving frames with that delay.
 median() {
     VK_LAYER_PATH=$build/tests/trace/layer VK_INSTANCE_LAYERS=VK_LAYER_POINTRT_pretend POINTRT_LAYER_TYPE=discrete \
         POINTRT_LAYER_MEMORY=discrete POINTRT_LAYER_SUBMIT_US=$1 POINTRT_LAYER_ALLOCATE_US=$(($1 * 15 / 4)) \

@@ -5,7 +5,7 @@ Screenshots are named by frame."""
 import sys
 
 FRAMES, EVERY, SAMPLES = 40, 8, 4
-# where the pointer starts, and its step per frame: orbits by 0.25 and 5 degrees, and the x coordinate of a room's first
+# where the pointer starts, and its step per frame: orbits of 0.25 and 5 degrees, and the x coordinate of a room's first
 # lamp
 MOTIONS = {"slow": (500, 300, 1), "fast": (500, 300, 20), "lamp": (1032, 218, 3)}
 

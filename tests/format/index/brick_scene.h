@@ -198,7 +198,7 @@ inline void expectNear(const Loaded& loaded, std::uint32_t cell, const Cube& cub
     }
 }
 
-/// Discs that cross a cell are listed, and lie between its planes.
+/// Discs that cross a cell are listed in it, and lie between its planes.
 struct Found {
     std::uint64_t crossings = 0, unlisted = 0, outside_planes = 0, listed = 0;
 };
@@ -217,7 +217,7 @@ inline double beyondPlanes(std::uint32_t slab, const Polygon& polygon, const Pla
     return beyond;
 }
 
-/// For all grid cells that the disc's bounding cube overlaps.
+/// Words of all grid cells that the disc's bounding cube overlaps.
 inline std::vector<std::size_t> gridWordsAround(const Loaded& loaded, const PlainDisc& disc) {
     const EntryGrid& grid = loaded.grid;
     const double edge = gridCube(loaded, 0).edge;
@@ -317,7 +317,7 @@ inline void expectSound(const Loaded& loaded) {
     EXPECT_GT(found.crossings, loaded.discs.size());
     EXPECT_EQ(found.unlisted, 0u) << "of " << found.crossings;
     EXPECT_EQ(found.outside_planes, 0u) << "of " << found.crossings;
-    EXPECT_LT(found.listed, 1.15 * static_cast<double>(found.crossings)); // few false positives
+    EXPECT_LT(found.listed, 1.15 * static_cast<double>(found.crossings)); // few discs are listed needlessly
     EXPECT_EQ(missingBlends(loaded), 0u);
 }
 
@@ -373,7 +373,7 @@ inline std::vector<pro_splat> join(std::vector<pro_splat> a, const std::vector<p
     return a;
 }
 
-/// Counted as in BrickLimits.
+/// Counts listed splats as BrickLimits does.
 inline std::size_t listedBy(const Bricks& bricks) { return bricks.listed.size() + 2 * bricks.blending.size(); }
 
 inline Loaded loadSplats(std::vector<pro_splat> splats, const BrickLimits& limits = {}) {

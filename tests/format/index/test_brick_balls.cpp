@@ -8,11 +8,11 @@ namespace {
 using namespace test;
 using namespace test::bricks;
 
-/// The same, of balls.
+/// Loads a scene of balls and its bricks.
 Loaded loadBalls(std::vector<pro_splat> splats) {
     std::transform(splats.begin(), splats.end(), splats.begin(), settled);
     test::TreeOptions options = kOptions;
-    options.blend_slab = 1; // the boxes of such slabs hold the balls
+    options.blend_slab = 1; // the boxes of slabs of this thickness contain the balls
     Scene scene = sceneOf(std::move(splats), options);
     for (std::size_t at = 0; at < scene.splats.size(); at += PRO_SPLAT_WORDS) pro_splat_set_ball(&scene.splats[at]);
     scene.info.flags |= PRO_FLAG_BALLS;
@@ -56,7 +56,7 @@ void expectNearBalls(const Loaded& loaded, std::uint32_t cell, const Cube& cube)
     }
 }
 
-/// Points of the ball's surface in the cube that lie outside the planes.
+/// Number of points of the ball's surface in the cube that lie outside the planes.
 std::size_t outsidePlanes(std::uint32_t slab, const PlainDisc& ball, const Cube& cube) {
     Polygon points;
     for (int k = 0; k < 200; ++k) { // a Fibonacci lattice

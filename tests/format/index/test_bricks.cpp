@@ -102,7 +102,7 @@ TEST(Bricks, ProgressNeverDecreases) {
 
 TEST(Bricks, RefuseScenesBeyondTheLimitsOfAnyGrid) {
     BrickLimits limits;
-    limits.cells = 7; // a brick counts for 8
+    limits.cells = 7; // a brick counts as 8
     try {
         loadSplats(sheet(8, 0.5, {0.5, 0.5, 0.5}, 0.8), limits);
         FAIL() << "no error";

@@ -102,7 +102,7 @@ class RandomDiscs : public test::RandomVectors {
 public:
     using RandomVectors::RandomVectors;
 
-    /// Through a random point of the cell; radius in edges.
+    /// A disc through a random point of the cell; radius in edges.
     CellDisc through(Vec3 normal, double radius) {
         const Vec3 across = normalize(cross(normal, direction()));
         const double distance = radius * std::sqrt(uniform(0, 0.99));
@@ -121,7 +121,7 @@ void expectRadius(double read, double written) {
     EXPECT_NEAR(read * read, written * written, std::ldexp(1.0, -6) * written * written); // 5 bits of fraction, rounded
 }
 
-/// At most one code per axis, less across their planes.
+/// Off by at most one code per axis, and by less across their planes.
 TEST(CellCodec, KeepsDiscsWithinOneCode) {
     RandomDiscs random(1);
     for (int round = 0; round < 2000; ++round) {
@@ -189,7 +189,7 @@ TEST(CellCodec, KeepsTinyDiscsInTheMiddle) {
 TEST(CellCodec, KeepsPlaneAndRimOfHugeDiscs) {
     RandomDiscs random(3);
     constexpr double kLargest = 8, kCode = 8.87 / 511, kPositionOff = kCode * 1.7320508;
-    constexpr double kTilt = 0.5 * 1.4142136 / PRO_NEAR_NORMAL_MAX; // of a rounded normal
+    constexpr double kTilt = 0.5 * 1.4142136 / PRO_NEAR_NORMAL_MAX; // tilt of a rounded normal
     for (int round = 0; round < 500; ++round) {
         const double radius = std::pow(10.0, random.uniform(1, 3));
         const Vec3 normal = random.direction();
@@ -209,7 +209,7 @@ TEST(CellCodec, KeepsPlaneAndRimOfHugeDiscs) {
     }
 }
 
-/// How far, in edges, random points of a disc in the enlarged cell lie outside of the planes.
+/// The largest distance, in edges, by which random points of a disc in the enlarged cell lie outside the planes.
 double beyondSlab(const CellAsRead& cell, const CellDisc& disc, RandomDiscs& random) {
     const Vec3 normal = normalize(toVec3(disc.normal)), center = inEdges(toVec3(disc.center));
     const double radius = disc.radius / kEdge, side = 0.5 + kBox.slack / kEdge;
@@ -231,7 +231,7 @@ TEST(CellSlabs, EncloseAllDiscs) {
     for (int round = 0; round < 3000; ++round) {
         std::vector<CellDisc> discs;
         const Vec3 main_normal = random.direction();
-        const double spread = round % 3; // a sheet, a bent sheet, anything
+        const double spread = round % 3; // a sheet, a bent sheet, or any directions
         for (int k = 0; k < 1 + round % 5; ++k) {
             const Vec3 normal = normalize(main_normal + random.direction() * (0.3 * spread * spread));
             discs.push_back(random.through(k % 2 ? normal * -1 : normal, std::pow(10.0, random.uniform(-2, 1))));

@@ -16,10 +16,10 @@ namespace {
 using namespace test;
 
 constexpr double kHalf = 0.5;
-/// Around the origin.
+/// A cube around the origin.
 const Cube kCube{{-kHalf, -kHalf, -kHalf}, 2 * kHalf};
 
-/// As in format/index/disc_section.cpp, whose tests are exact for components and radii within these limits.
+/// Limits as in format/index/disc_section.cpp, whose tests are exact for components and radii within them.
 constexpr double kMinComponent = 1.0 / 64, kLargestRadius = 16;
 
 PlacedDisc placed(const PlainDisc& disc) {

@@ -79,7 +79,7 @@ std::uint32_t codeOf(std::uint32_t word, std::uint32_t octant) {
     return word >> (PRO_SKIP_BITS * octant) & PRO_SKIP_MASK;
 }
 
-/// A code as the shaders decode it: 4 to 7 quarters, and so on by powers of two.
+/// A code as the shaders decode it: 4 to 7 mean quarters, and so on by powers of two.
 float cellsOf(std::uint32_t code) {
     if (code == 15) return 28;
     return std::ldexp(static_cast<float>(4 + (code - 1) % 4), static_cast<int>((code - 1) / 4) - 2);
@@ -126,7 +126,7 @@ Occupancy filledBrickCells(Field& field) {
 
 /// Skips of all empty cells of all bricks.
 struct SkipReport {
-    std::uint64_t words = 0, too_large = 0, zeros = 0; ///< per octant, all three
+    std::uint64_t words = 0, too_large = 0, zeros = 0; ///< counted per octant
     std::uint64_t short_of_best = 0;                   ///< codes below that of the largest empty cube
     double claimed = 0, best = 0;                      ///< sums, in cells
 };
@@ -142,7 +142,7 @@ SkipReport inspectBricks(Field& field) {
             const std::uint32_t best = filled.emptyTowards(fine, octant);
             ++report.words;
             report.zeros += code == 0;
-            // a cell counts as skipped as soon as part of it is
+            // a cell counts as skipped as soon as a part of it is
             report.too_large +=
                 filled.filledTowards(fine, octant, static_cast<std::uint32_t>(std::ceil(cellsOf(code)))) > 0;
             report.short_of_best += code < skipCode(best);
@@ -275,7 +275,7 @@ TEST(SkipCode, HasKnownValues) {
 }
 
 TEST(EntryGrid, HasTheDepthOfMostSplats) {
-    Scene scene = test::tinyScene(); // 3 splats at depth 1, 2 at depth 2; leaves in both ends of each axis
+    Scene scene = test::tinyScene(); // 3 splats at depth 1, 2 at depth 2; leaves at both ends of each axis
     const EntryGrid grid = frameEntryGrid(scene.info, scene.view());
     EXPECT_EQ(grid.shift, PRO_POSITION_BITS - 1);
     EXPECT_EQ(grid.origin, (Corner{0, 0, 0}));
@@ -334,11 +334,11 @@ TEST(CellSkips, AreExactAroundOneDisc) {
     Field field = fieldOf(sceneOf({disc(0.375f, 0.375f, 0.375f, 0.05f)}));
     ASSERT_EQ(field.words.size(), PRO_BRICK_WORDS);
     fillSkips(field);
-    EXPECT_EQ(field.words[1 + 4 + 16], 0u);   // the only list
+    EXPECT_EQ(field.words[1 + 4 + 16], 0u);   // the only list of splats
     EXPECT_EQ(codeOf(field.words[0], 7), 1u); // next to it
     EXPECT_EQ(field.words[0] >> 4 * 7, 1u);   // towards that octant alone
     EXPECT_EQ(field.words[0] & 0x0FFFFFFFu, 0x0FFFFFFFu);
-    EXPECT_EQ(field.words[63], 0xFFFFFFF5u);         // two cells on
+    EXPECT_EQ(field.words[63], 0xFFFFFFF5u);         // two cells away
     EXPECT_EQ(field.words[3 + 4 + 16], 0xF5F5F5F5u); // towards decreasing x
     const SkipReport report = inspectBricks(field);
     EXPECT_EQ(report.words, 63u * 8);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Files by their descriptors: what they are, what is read, and what stays on the disk.
+// Files by their descriptors: their type, what is read, and what remains on the disk.
 #include "format/os/descriptor.h"
 
 #include <gtest/gtest.h>

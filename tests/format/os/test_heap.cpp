@@ -22,7 +22,7 @@ long residentBytes() {
 
 TEST(Heap, ReturnsLargeBlocksThoughSmallOnesFollow) {
     returnLargeBlocks();
-    std::vector<char>(kBlock, 1); // from it, glibc would learn to keep such blocks
+    std::vector<char>(kBlock, 1); // freeing it would make glibc keep such blocks
     std::vector<std::vector<char>> blocks, small;
     for (int i = 0; i < 4; ++i) {
         blocks.emplace_back(kBlock, 1);

@@ -25,7 +25,7 @@ struct ExportLas : testing::Test {
     std::string bytes, records;
     LasFile file;
     std::vector<LasField> fields;
-    std::vector<std::uint32_t> order; ///< input index of each splat; empty: input order
+    std::vector<std::uint32_t> order; ///< order of the exported points, as input indices; empty: input order
 
     static int run(const std::string& arguments) {
         const int status = std::system((std::string(POINTRT_INFO) + " " + arguments).c_str());
@@ -172,8 +172,7 @@ TEST_F(ExportLas, AttributesThatDoNotFitBecomeExtraBytes) {
     EXPECT_EQ(file.header.point_format, 7) << "the ninth return needs a new format";
     EXPECT_EQ(valuesOf("return_number"), bytesOf(number));
     EXPECT_EQ(valuesOf("intensity_2"), bytesOf(intensity));
-    const std::array<std::uint16_t, 5> scaled{0, 9362, 28086, 46811,
-                                              65535}; // 0.5 to 4, for programs that read no other
+    const std::array<std::uint16_t, 5> scaled{0, 9362, 28086, 46811, 65535}; // two points 65535 steps apart
     EXPECT_EQ(valuesOf("intensity"), bytesOf(scaled));
     EXPECT_EQ(valuesOf("four") + valuesOf("four_2"), [&] {
         std::string halves[2];

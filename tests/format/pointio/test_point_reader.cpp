@@ -45,7 +45,7 @@ struct Read {
 struct PointReaders : testing::Test {
     test::TemporaryFolder folder;
 
-    /// In blocks of two.
+    /// Reads the file in blocks of two points.
     Read read(const std::string& name) const {
         const std::unique_ptr<PointReader> reader = openPointReader(folder.file(name));
         Read all{reader->outline(), {}};
@@ -74,7 +74,7 @@ struct PointReaders : testing::Test {
     }
 };
 
-/// Three vertices, one after the other in bytes of that order.
+/// Three vertices, one after another, in this byte order.
 std::string binaryPly(std::endian order) {
     std::string bytes = "ply\nformat binary_" + std::string(order == std::endian::little ? "little" : "big") +
                         "_endian 1.0\nbye\nelement vertex 3\nproperty double x\nproperty float y\nproperty int z\n"

@@ -63,7 +63,7 @@ struct PointSinks : testing::Test {
     }
 };
 
-/// A LAS file as it was written.
+/// A LAS file read back.
 struct ReadLas {
     std::string bytes, records;
     LasFile file;

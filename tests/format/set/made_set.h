@@ -115,7 +115,7 @@ inline TileSet makeSet(const std::string& folder, int side = 16) {
     set.tiles.push_back({.level = 1, .file = tileFileName(1, {}), .error = 0.25, .spacing = 16.0 / side});
     writeTile(set, set.tiles.back(), coarse, folder);
     set.bounds_min = {1000, 2000, 301.5};
-    set.bounds_max = {1008, 2008, 304.9}; // of the merged sheet, which is higher
+    set.bounds_max = {1008, 2008, 304.9}; // of the merged sheet, whose bounds are higher
     arrangeTiles(set);
     writeTileSet(set, folder);
     return set;

@@ -21,8 +21,8 @@ inline SetTile setTile(std::uint32_t level, TileCell cell, std::uint64_t splats,
     return tile;
 }
 
-/// 3 levels, 9 tiles, of which 7 are original: 4 of level 0 with 100 splats each, 3 of level 1 with 50. Every value is
-/// fixed: golden/small.proset has this content.
+/// 3 levels and 9 tiles, 7 of them original: 4 of level 0 with 100 splats each, and 3 of level 1 with 50 each. Every
+/// value is fixed: golden/small.proset has this content.
 inline TileSet smallSet() {
     TileSet set;
     set.lattice_origin = {634000, 848000, 400};

@@ -21,7 +21,7 @@ struct OpenTile : testing::Test {
     SetTile& tile = set.tiles.back();
     std::string path = folder.file("tiles/0-1-1-0.pro");
 
-    /// The error of requireTile and openTile, which must agree.
+    /// The error that requireTile and openTile give, which must be the same.
     std::string fault() {
         const auto said = [](const auto& body) -> std::string {
             try {

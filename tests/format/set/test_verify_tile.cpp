@@ -82,7 +82,7 @@ TEST_F(VerifyTile, AcceptsSplatsFromACoarserOriginalTile) {
     EXPECT_SAYS(findings(), "tiles/0-1-1-0.pro 0 1 *without a tile\n");
 }
 
-/// An original tile has copies of original splats only, so none of a merged neighbour.
+/// An original tile has copies of original splats only, and therefore none from a merged neighbour.
 TEST_F(VerifyTile, NeedsNoMergedSplatsInOriginalTiles) {
     set.levels.push_back(set.levels[1]);
     set.bounds_max = {1016, 2016, 316};

@@ -13,7 +13,7 @@ mkdir -p "$OUT/lib"
 for program in "$WORK"/build/bin/fuzz_*; do
     name=${program##*/fuzz_}
     cp "$program" "$OUT/"
-    # the image that runs them has none of the libraries
+    # the image that runs the targets has none of these libraries
     ldd "$program" | awk '$3 ~ /^\/(usr\/)?lib/ { print $3 }' | grep -vE '/(libc|libm|libdl|libpthread|librt)\.so' |
         xargs -r cp -n -t "$OUT/lib"
     folders=()

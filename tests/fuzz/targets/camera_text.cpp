@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Cameras as text, which Ctrl+V pastes. The text written of a camera must parse to the same camera.
+// Cameras as text, as pasted by Ctrl+V. The text written for a camera must parse to the same camera.
 #include <optional>
 
 #include "runtime/window/input/camera_text.h"

@@ -24,7 +24,7 @@ POINTRT_FUZZ_TARGET(recording) {
     fuzz::expectReadOrRefused("recording", [&] {
         const Recording recording = parseRecording(fuzz::textOf(input), "recording");
         expectSameOnceWritten(recording);
-        constexpr int kFrames = 200; // recordings may last for days
+        constexpr int kFrames = 200; // recordings may be days long
         Replay replay(recording);
         for (int i = 0; i < kFrames && !replay.next({1, false, false}).quit; ++i) continue;
     });

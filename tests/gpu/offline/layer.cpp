@@ -3,7 +3,7 @@
 // device. Environment variables: POINTRT_LAYER_TYPE=discrete|integrated     the device's type
 // POINTRT_LAYER_MEMORY=discrete|write_combined|incoherent   its memory types (kTables)
 // POINTRT_LAYER_LIMITS=NAME=N,...            smaller limits: members of VkPhysicalDeviceLimits (setLimit)
-// POINTRT_LAYER_SUBGROUPS=N                  subgroups of N lanes, and of 32 to N for programs that ask for them
+// POINTRT_LAYER_SUBGROUPS=N                  subgroups of N lanes, and of 32 to N for programs that request them
 // POINTRT_LAYER_SUBMIT_US=N, POINTRT_LAYER_ALLOCATE_US=N    latency added to each submission and allocation
 // POINTRT_LAYER_FASTER=N                     by its own clock the device takes an N-th of the time
 // POINTRT_LAYER_LOST_AT=N                    the N-th submission to a device and all after it lose the device
@@ -79,8 +79,8 @@ PFN_vkGetInstanceProcAddr instance_proc = nullptr;
 PFN_vkGetDeviceProcAddr device_proc = nullptr;
 VkInstance the_instance = VK_NULL_HANDLE;
 
-/// Functions of the instance that the layer calls. They are loaded as the instance is created: later, the loader would
-/// answer with the topmost layer's, which may be this one's.
+/// Functions of the instance that the layer calls. They are loaded when the instance is created: later, the loader
+/// would return those of the topmost layer, which may be this one.
 #define LAYER_INSTANCE_FUNCTIONS(X)                                                                                    \
     X(vkDestroyInstance)                                                                                               \
     X(vkEnumerateDeviceExtensionProperties)                                                                            \
@@ -205,7 +205,7 @@ VKAPI_ATTR VkResult VKAPI_CALL InvalidateMappedMemoryRanges(VkDevice, std::uint3
     return copyRanges(n, ranges, Direction::kInvalidate);
 }
 
-/// What the host has written to coherent memory becomes visible with a submission.
+/// Data that the host has written to coherent memory becomes visible with a submission.
 void flushCoherent() {
     const std::lock_guard lock(memory_mutex);
     for (auto& [handle, memory] : memories)
@@ -236,7 +236,7 @@ VKAPI_ATTR VkResult VKAPI_CALL GetMemoryHostPointerPropertiesEXT(VkDevice device
 
 std::atomic<std::uint64_t> submits_to_device = 0, devices = 0;
 
-/// Whether a device is lost after so many submissions.
+/// Whether a device is lost after this many submissions.
 bool isLost(std::uint64_t submits) {
     const std::uint64_t lost_at = number("POINTRT_LAYER_LOST_AT"), most = number("POINTRT_LAYER_LOST_DEVICES");
     return lost_at > 0 && submits >= lost_at && (most == 0 || devices <= most);
@@ -502,7 +502,7 @@ PFN_vkVoidFunction hookOf(std::string_view name) {
 
 extern "C" {
 
-/// A count by its name, since the process started; 0 if it has none of that name.
+/// A count by its name, since the process started; 0 if there is no such count.
 VK_LAYER_EXPORT std::uint64_t pointrtLayerCount(const char* name) {
     for (std::size_t i = 0; i < counts.size(); ++i)
         if (std::strcmp(name, kCountNames[i]) == 0) return counts[i];

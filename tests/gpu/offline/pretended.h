@@ -28,7 +28,7 @@ private:
     std::map<std::string, std::string> variables_;
 };
 
-/// With the layer, beside others that are installed.
+/// The environment with the layer added to others that are installed.
 inline std::map<std::string, std::string> layered(std::map<std::string, std::string> more = {}) {
     more["VK_ADD_LAYER_PATH"] = POINTRT_LAYER_FOLDER;
     more["VK_INSTANCE_LAYERS"] = "VK_LAYER_POINTRT_pretend";

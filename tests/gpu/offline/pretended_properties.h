@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The layer's settings, and the types, limits and memory of the devices that it pretends.
+// The layer's settings, and the types, limits and memory of the devices that it simulates.
 #pragma once
 
 #include <vulkan/vulkan.h>

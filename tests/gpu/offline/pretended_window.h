@@ -18,7 +18,7 @@
 namespace pointrt::test {
 
 constexpr std::uint32_t kWindowSide = 48;
-/// Time for a frame: enough for whole frames, however slow the machine.
+/// Time for a frame: long enough for complete frames even on a slow machine.
 constexpr double kFrame_s = 10;
 
 inline const std::map<std::string, std::string> kDiscrete = {{"POINTRT_LAYER_TYPE", "discrete"},

@@ -15,7 +15,7 @@ namespace {
 
 /// Too short for a full frame: the view is reprojected.
 constexpr double kNoTime_s = 1e-9;
-/// Samples of the pictures at rest.
+/// Number of samples of pictures at rest.
 constexpr std::uint32_t kAtRest = 16;
 
 /// Mean difference of channels, in steps of 255.
@@ -33,7 +33,7 @@ struct MovedPicture {
     Image8 moving, still;
 };
 
-/// From a picture at rest, frames frames of a motion, each with so much time for its pixels.
+/// Starts from a picture at rest and renders this many frames of a motion, each with this much time for its pixels.
 MovedPicture moved(const SphereFile& ball, int frames, double seconds, const Motion& motion,
                    ViewChange change = ViewChange::kCamera) {
     WindowPicture window(ball, kAtRest, kNoTime_s);
@@ -53,7 +53,7 @@ MovedPicture moved(const SphereFile& ball, int frames, double seconds, const Mot
 
 class DeviceReprojection : public testing::Test {
 protected:
-    /// The device's picture must be about as near to that at rest as the host's.
+    /// The device's picture must be about as close to the picture at rest as the host's.
     void expectAsGoodAsOnTheHost(int frames, double seconds, const Motion& motion,
                                  ViewChange change = ViewChange::kCamera) {
         const MovedPicture host = moved(ball, frames, seconds, motion, change);

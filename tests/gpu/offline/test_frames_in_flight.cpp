@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The host records a frame while the device, a pretended GPU, traces the last: what a frame of the window takes, and
-// that pictures are those of frames one by one.
+// The host records a frame while the device, a pretended GPU, traces the last one. Tests the time of a frame, and that
+// pictures are the same as without overlap.
 #include <gtest/gtest.h>
 
 #include <cstdint>
@@ -33,7 +33,7 @@ TEST_F(FramesInFlight, TakeASubmissionAWaitAndNoMemory) {
     }
 }
 
-/// The CPU form traces the megakernel whole, without overlap.
+/// On CPUs, the megakernel traces everything in one piece, without overlap.
 TEST_F(FramesInFlight, ShowTheSamePictures) {
     constexpr std::uint32_t kSamples = 5;
     std::vector<Film> films;
@@ -56,7 +56,7 @@ TEST_F(FramesInFlight, ShowTheSamePictures) {
     EXPECT_NE(shown[0].pixels, shown[1].pixels) << "a preview and a finished picture";
 }
 
-/// Frames of two sizes in turn, so that buffers are replaced that the last frame still uses.
+/// Frames of two sizes alternate, so that buffers are replaced while the last frame still uses them.
 TEST_F(FramesInFlight, OutliveWhatTheyReplace) {
     const Environment environment(layered(kDiscrete));
     WindowPicture window(ball, 2);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What drivers compile is kept between runs. The layer's cache tells how many pipelines it was opened with.
+// Pipelines that drivers compile are kept between runs. The layer reports how many pipelines its cache held when it was
+// opened.
 #include <gtest/gtest.h>
 
 #include <chrono>
@@ -22,7 +23,7 @@ namespace fs = std::filesystem;
 
 class PipelineCaches : public testing::Test {
 protected:
-    /// Opens a device of that type, and builds programs. Returns the number of pipelines that its cache had before.
+    /// Opens a device of that type and builds programs. Returns the number of pipelines that its cache held before.
     std::uint64_t keptBefore(std::uint32_t programs, const char* type = "discrete") {
         auto variables = layered({{"POINTRT_LAYER_TYPE", type}, {"POINTRT_LAYER_PIPELINES", "1"}});
         variables["XDG_CACHE_HOME"] = folder.path.string();
@@ -37,7 +38,7 @@ protected:
         return counts.of("kept_pipelines");
     }
 
-    /// Beside those of Mesa, which keeps a cache in the same folder.
+    /// The cache files, without those of Mesa, which has its cache in the same folder.
     std::vector<fs::path> files() const {
         std::vector<fs::path> found;
         if (!fs::exists(ours())) return found;
@@ -100,7 +101,7 @@ TEST_F(PipelineCaches, ThatCannotBeWritten_AreDoneWithout) {
     EXPECT_EQ(keptBefore(1), 0u);
 }
 
-/// Mesa's driver for CPUs keeps its programs itself.
+/// Mesa's driver for CPUs has a cache of its own.
 TEST_F(PipelineCaches, AreNotForCpus) {
     keptBefore(3, "");
     EXPECT_TRUE(files().empty());

@@ -128,7 +128,7 @@ TEST_F(PooledTiles, RenderTheSamePicture_AmongOthersAndWithClips) {
     EXPECT_EQ(expectTheSame().traced, 3u);
 }
 
-/// Splats that are painted lie in other buffers.
+/// The splats of painted scans are in other buffers.
 TEST_F(PooledTiles, ThatArePainted_AreTracedOneByOne) {
     request.settings.color_by = "height";
     EXPECT_EQ(expectTheSame().traced, kTiles);

@@ -26,7 +26,7 @@ namespace {
 
 constexpr std::uint32_t kSide = 48;
 constexpr std::uint32_t kBounces = 4;
-/// Of a sample of a pixel, path traced in a room: 1,200 MB for 4 samples of 512x512.
+/// For one sample of a pixel, path traced in a room: 1,200 MB for 4 samples of 512x512.
 constexpr std::uint64_t kMostBytes = 1'200'000'000 / (4 * 512 * 512);
 
 RenderSettings pathSettings() {
@@ -39,7 +39,7 @@ RenderSettings pathSettings() {
     return settings;
 }
 
-/// Where light that mirrors reflect counts as direct.
+/// Settings with which light that mirrors reflect counts as direct.
 RenderSettings mirrorSettings() {
     RenderSettings settings = pathSettings();
     settings.integrator = Integrator::kWhitted;
@@ -160,7 +160,7 @@ TEST_F(PretendedDevices, CompositeACaptureInOneDispatch) {
     EXPECT_EQ(films[0], films[1]);
 }
 
-/// In place of texels, which GPUs read more slowly.
+/// Instead of as texels, which GPUs read more slowly.
 TEST_F(PretendedDevices, ReadScansOfOnePageAsStorageBuffers) {
     const Film expected = renderOn({}, ball);
     const Environment environment(layered({{"POINTRT_LAYER_TYPE", "discrete"}, {"POINTRT_LAYER_MEMORY", "discrete"}}));
@@ -176,7 +176,7 @@ TEST_F(PretendedDevices, ReadScansOfOnePageAsStorageBuffers) {
     }
 }
 
-// RDNA has subgroups of 64 lanes unless a program asks for 32; GCN has no others, Intel and NVIDIA none larger.
+// RDNA has subgroups of 64 lanes unless a program requests 32; GCN has no others, Intel and NVIDIA none larger.
 TEST_F(PretendedDevices, HaveSubgroupsOf32LanesIfTheyCan) {
     const Film expected = renderOn({}, ball);
     for (const auto& [lanes, asks] : {std::pair("64", true), {"32", false}}) {
@@ -246,7 +246,7 @@ TEST_F(PretendedDevices, ThatAreLost_EndWithAnError) {
     }
 }
 
-// What other programs use of the device's memory is not for tiles.
+// Device memory that other programs use is not available for tiles.
 TEST_F(PretendedDevices, LeaveTilesTheirBudget) {
     constexpr std::uint64_t kGibibyte = 1ull << 30;
     auto variables = layered({{"POINTRT_LAYER_TYPE", "discrete"}, {"POINTRT_LAYER_MEMORY", "discrete"}});

@@ -32,11 +32,11 @@ namespace {
 
 using gpu::uint; // the masks of FEATURE_* cast to it
 
-/// With so many of its 1,024 registers a SIMD of Navi 21 holds 16 subgroups of 32 lanes, all that it can.
+/// With at most this many of its 1,024 registers in use, a SIMD of Navi 21 runs 16 subgroups of 32 lanes, the maximum.
 constexpr std::uint64_t kMostRegisters = 64;
 constexpr std::uint32_t kLanes = 32;
 
-/// The manifest of AMD's driver, or nothing.
+/// The manifest of AMD's driver, or nullopt.
 std::string driverOfAmd() {
     const std::filesystem::path folder = "/usr/share/vulkan/icd.d";
     std::error_code none;
@@ -45,7 +45,7 @@ std::string driverOfAmd() {
     return {};
 }
 
-/// A device of AMD's driver that only compiles.
+/// A device of AMD's driver that can only compile.
 class Compiler {
 public:
     Compiler() {
@@ -186,13 +186,13 @@ private:
     PFN_vkGetPipelineExecutableStatisticsKHR statistics_ = nullptr;
 };
 
-/// What differs between scans.
+/// The properties in which scans differ.
 struct Scan {
     const char* name;
     bool uneven, balls, clipped;
 };
 
-/// As for a matte room with lamps on a GPU (runtime/render/programs.cpp).
+/// As for a matte room with lamps on a GPU (see runtime/render/programs.cpp).
 std::vector<SpecConstant> constantsFor(const Scan& scan, Integrator integrator, bool pooled) {
     return {{SPEC_UNEVEN, scan.uneven},
             {SPEC_ORIENTED, 1},

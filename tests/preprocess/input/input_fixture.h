@@ -57,7 +57,8 @@ protected:
         }
     }
 
-    /// Changes each byte to critical values, one at a time: each file, in memory, must be read or refused in one line.
+    /// Changes one byte at a time to critical values: each file, in memory, must be read, or refused with a one-line
+    /// message.
     void readChangedBytes(const std::string& name, const std::string& bytes) const {
         for (std::size_t i = 0; i < bytes.size(); ++i)
             for (const char byte : {'\0', '\xff', '\x7f', '\x80', '9'}) {

@@ -38,7 +38,7 @@ TEST_F(MisreadTest, CustomaryNoDataIsLeftOut) {
                          return i % 10 == 0 ? fmt::format("{} {} {}\n", 512345 + i % 20, 5403210 + i / 20, value)
                                             : std::string();
                      }));
-        const bool customary = value != "-3.4e10"; // no program's, but far: said
+        const bool customary = value != "-3.4e10"; // far away, but not a customary value: reported
         EXPECT_EQ(cloud.positions.size(), customary ? 360u : 400u) << value;
         EXPECT_EQ(cloud.points_no_data, customary ? 40u : 0u) << value;
         EXPECT_EQ(cloud.points_read, 400u);
@@ -79,7 +79,7 @@ TEST_F(MisreadTest, DataStays) {
     }
     EXPECT_EQ(kept(planes), "");
     EXPECT_EQ(kept(pits), "");
-    EXPECT_EQ(kept(terrain([](int i) { return i == 3 ? "512345 5403210 -9999\n" : ""; })), ""); // a stray
+    EXPECT_EQ(kept(terrain([](int i) { return i == 3 ? "512345 5403210 -9999\n" : ""; })), ""); // a single stray
 }
 
 TEST_F(MisreadTest, NoDataIsFoundUnderATransform) {

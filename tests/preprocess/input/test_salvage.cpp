@@ -15,7 +15,8 @@ struct SalvageTest : InputTest {
         options.salvages = true;
         return options;
     }
-    /// Without the option the error names both counts and the option; with it `found` points are read, and noted.
+    /// Without the option the error names both counts and the option; with it, `found` points are read and a note is
+    /// printed.
     void expectSalvaged(const std::string& name, const std::string& bytes, std::size_t found, std::size_t promised,
                         const Vec3d& last) const {
         const std::string path = write(name, bytes);
@@ -67,7 +68,8 @@ TEST_F(SalvageTest, LazThatEndsEarly) {
         const std::string good = test::writeLas(format, records(lasRecordBytes(format), 2000), true);
         const std::string path = write("a.laz", good.substr(0, good.size() * 3 / 4));
         EXPECT_HAS(reasonOf(path), "a.laz: ");
-        if (format == 6) continue; // the layers of a chunk lie one after the other: a part of it has no whole point
+        // the layers of a chunk are stored one after another: a partial chunk has no complete point
+        if (format == 6) continue;
         const Cloud cloud = readInputs({path}, salvaging());
         ASSERT_GT(cloud.positions.size(), 1000u);
         ASSERT_LT(cloud.positions.size(), 2000u);
@@ -122,7 +124,7 @@ TEST_F(SalvageTest, Ply) {
         "element vertex 4\n" + vertex + "element face 2\nproperty list uchar int vertex_indices\nend_header\n";
     const std::string ascii =
         "ply\nformat ascii 1.0\n" + head + "0.000 0.000 0.000\n1.000 0.000 0.000\n1 1 0\n0 1 1.5\n3 0 1 2\n3 0 2 3\n";
-    // 0 of the third vertex may be a part of its numbers
+    // the 0 of the third vertex may be only the start of a number
     expectSalvaged("a.ply", ascii.substr(0, ascii.find("1 1 0") + 5), 2, 4, Vec3d(1, 0, 0));
     expectSalvaged("b.ply", ascii.substr(0, ascii.find("1 1 0") + 6), 3, 4, Vec3d(1, 1, 0));
     const Cloud faces = readInputs({write("c.ply", ascii.substr(0, ascii.find("3 0 2 3") + 3))}, salvaging());
@@ -148,7 +150,7 @@ TEST_F(SalvageTest, Pcd) {
     expectSalvaged("c.pcd", binary.substr(0, binary.size() - 1), 3, 4, Vec3d(1, 1, 0));
     salvagePrefixes("d.pcd", ascii, 4);
     salvagePrefixes("e.pcd", binary, 4);
-    std::string promise = ascii; // does not reserve what it promises
+    std::string promise = ascii; // memory is not reserved for the promised points
     promise.replace(promise.find("WIDTH 2\nHEIGHT 2\nPOINTS 4"), 25,
                     "WIDTH 4000000000\nHEIGHT 4000000\nPOINTS 16000000000000000");
     EXPECT_EQ(readInputs({write("f.pcd", promise)}, salvaging()).positions.size(), 4u);
@@ -172,7 +174,7 @@ TEST_F(SalvageTest, CompressedPcd) {
     // z repeats y of the first three points; the bytes of the last one are cut
     const std::string back = '\x1f' + columns.substr(0, 32) + std::string("\xe0\x03\x0f", 3) + '\x03' + bytesOf(1.5f);
     expectSalvaged("e.pcd", head + sizes(back.size()) + back.substr(0, back.size() - 2), 3, 4, Vec3d(1, 1, 1));
-    // what a cut file promises takes no memory
+    // a cut file reserves no memory for the points it promises
     std::string promise = head;
     promise.replace(promise.find("WIDTH 2\nHEIGHT 2\nPOINTS 4"), 25, "WIDTH 20000\nHEIGHT 15000\nPOINTS 300000000");
     promise += bytesOf(std::uint32_t{50'000'000}) + bytesOf(std::uint32_t{3'600'000'000}) + packed;
@@ -190,7 +192,7 @@ TEST_F(SalvageTest, Ptx) {
 }
 
 TEST_F(SalvageTest, Text) {
-    expectSalvaged("a.pts", "4\n1 2 3\n4 5 6\n7 8 9", 2, 4, Vec3d(4, 5, 6)); // 9 may be 95
+    expectSalvaged("a.pts", "4\n1 2 3\n4 5 6\n7 8 9", 2, 4, Vec3d(4, 5, 6)); // 9 may be the start of 95
     expectSalvaged("b.pts", "4\n1 2 3\n4 5 6\n7 8 9\n", 3, 4, Vec3d(7, 8, 9));
     const std::string path = write("c.xyz", "1 2 3\n4 5 6\n7 8");
     EXPECT_HAS(reasonOf(path), "c.xyz:3: *--salvage *2 points");
@@ -217,7 +219,7 @@ TEST_F(SalvageTest, LasDamagedInTextModeIsNoted) {
         damaged += byte;
     }
     EXPECT_HAS(notesOf(readText("bad.las", damaged)), "bad.las: *text mode");
-    for (int axis = 0; axis < 6; ++axis) test::put(damaged, 179 + 8 * axis, 0.0); // no bounds to tell by
+    for (int axis = 0; axis < 6; ++axis) test::put(damaged, 179 + 8 * axis, 0.0); // without bounds to detect it by
     EXPECT_HAS(notesOf(readText("worse.las", damaged)), "worse.las: *text mode");
 }
 

@@ -56,7 +56,7 @@ TEST(OctreeBalls, AreListedWhereTheyMeetLeaves) {
             for (std::uint32_t s = 0; s < built.packed.discs.size(); ++s) {
                 const Disc& disc = built.packed.discs[s];
                 const double distance = distanceToBox(disc.center, box) - double(disc.radius);
-                if (!disc.isBall() || std::abs(distance) < 3e-6) continue; // the slack of leaves
+                if (!disc.isBall() || std::abs(distance) < 3e-6) continue; // within the slack of leaves
                 EXPECT_EQ(listed.contains(s), distance < 0) << distance;
                 references += distance < 0;
             }
@@ -83,7 +83,7 @@ TEST(OctreeBalls, AreNotPrunedWhereTheyAreSeen) {
         for (std::uint32_t r = 0; r < leaf.ref_count; ++r) {
             const std::uint32_t splat = full.octree.refs[leaf.first_ref + r];
             const Disc& disc = full.packed.discs[splat];
-            const double reach = 0.98 * double(disc.radius); // without slivers
+            const double reach = 0.98 * double(disc.radius); // without slivers at the rim
             if (!disc.isBall() || distanceToBox(disc.center, cellBox(leaf.cell)) > reach) continue;
             ++crossing;
             EXPECT_TRUE(kept.contains(splat));
@@ -110,10 +110,10 @@ TEST(OctreeBalls, AreHitByProbes) {
             const Vec3d to = (ball.center - origin).cast<double>(), along = direction.cast<double>().normalized();
             const double middle = to.dot(along), radius = double(ball.radius);
             const double half_squared = radius * radius - to.squaredNorm() + middle * middle;
-            if (std::abs(half_squared) < 1e-4 * radius * radius) continue; // grazes it
+            if (std::abs(half_squared) < 1e-4 * radius * radius) continue; // the ray grazes it
             const double half = std::sqrt(std::max(half_squared, 0.0)), first = middle - half, last = middle + half;
             const double t = half_squared > 0 ? (first >= 0 ? first : last) : -1;
-            if (std::min(std::abs(first), std::abs(t)) < 1e-4) continue; // starts on it
+            if (std::min(std::abs(first), std::abs(t)) < 1e-4) continue; // the ray starts on it
             EXPECT_EQ(std::isfinite(list.distance[i]), t >= 0);
             if (t < 0) continue;
             EXPECT_NEAR(double(list.distance[i]), t, 1e-3 * radius);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Which Gaussians a file holds exactly, and that pictures of them are those of their input.
+// Which Gaussians a file stores exactly, and that pictures of them equal those of their input.
 #include "preprocess/octree/exact_gaussians.h"
 
 #include <gtest/gtest.h>
@@ -12,7 +12,7 @@ namespace {
 
 constexpr double kUsual = 1;
 
-/// Of deviations 10, 1 and 0.1, and opacity 0.5.
+/// A Gaussian with deviations 10, 1 and 0.1 and opacity 0.5.
 pro_exact_gaussian longGaussian() { return {7, {1, 0, 0, 0}, {10, 1, 0.1f}, 0.5f}; }
 
 pro_gaussian decodedAs(const pro_exact_gaussian& exact) {
@@ -23,7 +23,7 @@ pro_gaussian decodedAs(const pro_exact_gaussian& exact) {
     return decoded;
 }
 
-/// Turned around z, which moves the end of the first axis by 10 times as much.
+/// A rotation about z, which moves the end of the first axis by 10 times the angle.
 pro_gaussian turned(double radians) {
     pro_gaussian decoded = decodedAs(longGaussian());
     decoded.rotation[0] = static_cast<float>(std::cos(radians / 2));

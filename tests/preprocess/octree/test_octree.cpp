@@ -118,7 +118,7 @@ TEST(Octree, MaxDepthIsRespected) {
 }
 
 TEST(Octree, CellsBesideADenseWallAreSplit) {
-    // the wall lies just below the cube's middle plane, so that its discs reach into the empty upper half
+    // the wall lies just below the cube's middle plane, so its discs reach into the empty upper half
     Splats splats = squareSplats(150, Vec3f(0, 0, -0.0005f), Vec3f(1, 0, 0), Vec3f(0, 1, 0));
     for (std::size_t i = 0; i < splats.normals.size(); ++i)
         splats.normals[i] = Vec3f(0.05f * static_cast<float>(i % 3), 0, 1).normalized();
@@ -160,7 +160,7 @@ float codedRadius(float radius, float least, float most) {
 }
 
 TEST(Quantize, RadiiBelongToOneSeriesForAnyLargest) {
-    // 6.6 to 7.9 octaves: 32 codes each
+    // 6.6 to 7.9 octaves, with 32 codes each
     for (const float most : {0.99f, 1.0f, 1.3f, 2.4f})
         for (const float radius : {0.0102f, 0.1f, 0.3333f, 0.98f}) {
             const float coded = codedRadius(radius, 0.0101f, most);

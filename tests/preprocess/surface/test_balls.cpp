@@ -82,7 +82,7 @@ TEST(BallChoice, NoiseInSpaceBecomesBallsThatTouch) {
         EXPECT_NEAR(splats.radii[i], 0.5f * typicalDistanceAround(splats, i), 1e-4f * splats.radii[i]);
 }
 
-// As figures show samples of a mesh: the nearest neighbour of one is 3.6 times as far as that of another.
+// As in pictures of mesh samples: the nearest neighbour of one point is 3.6 times as far away as that of another.
 TEST(BallChoice, RandomSamplesOfASurfaceBecomeBallsAlike) {
     std::vector<float> radii = estimateAs(SplatShape::kBall, randomSphere(2048).cloud()).radii;
     ASSERT_EQ(radii.size(), 2048u);
@@ -113,7 +113,7 @@ TEST(BallChoice, CrownsBecomeBallsAndTheGroundDoesNot) {
         }
         ++balls;
         EXPECT_GE(splats.input_index[i], ground);
-        // a disc shows half its area on average
+        // on average, a disc shows half its area
         EXPECT_NEAR(splats.radii[i] / discs.radii[i], 1 / std::numbers::sqrt2_v<float>, 1e-5f);
     }
     EXPECT_GT(balls, 4900u);
@@ -135,7 +135,7 @@ TEST(BallChoice, FoldsInNoiseStayDiscs) {
     EXPECT_LT(ballsOf(estimateAs(SplatShape::kAuto, folds.cloud())), 20u);
 }
 
-/// Fewer than one in a hundred: edges and strays of scans look like that.
+/// Fewer than one in a hundred is accepted: edges and strays of scans look like that.
 TEST(BallChoice, AFewScatteredPointsStayDiscs) {
     Shape shape = gridPlane(100);
     shape.append(scatter(90, Vec3d(0.4, 0.4, 0.1), 0.1));
@@ -184,7 +184,7 @@ TEST(BallChoice, AllBecomeBallsOnDemand) {
 
 TEST(BallChoice, StraysStaySmall) {
     Shape shape = gridPlane(50);
-    // most of a neighbourhood of 16: a few would be as large as what is around them
+    // most of a neighbourhood of 16: fewer would become as large as their surroundings
     for (int i = 0; i < 12; ++i) shape.add(Vec3d(3 + i, 0, 0), Vec3d::UnitZ());
     SurfaceOptions options;
     options.splat = SplatShape::kBall;

@@ -74,7 +74,8 @@ TEST(Cleaning, CleanInputStaysBitForBit) {
     }
 }
 
-/// 400 points with a noise of 0.3 spacings: too few to tell noise from shape, unless the noise was decided before.
+/// 400 points with a noise of 0.3 spacings: too few to distinguish noise from shape, unless the noise was decided
+/// before.
 TEST(Cleaning, FewPointsOfANoisyScanAreCleaned) {
     Shape patch = randomPlane(400);
     addNoise(patch, 0.3 / 20);

@@ -11,7 +11,7 @@ namespace {
 
 constexpr int kLines = 20, kAlong = 160; // on [0, 1]^2: eight times as dense along as across
 
-/// Lines along x, at these heights.
+/// Lines along x at these heights.
 Shape sweptPlane(const std::vector<double>& heights) {
     Shape shape;
     for (std::size_t line = 0; line < heights.size(); ++line)

@@ -127,7 +127,7 @@ TEST(FindUp, WithoutASurfaceTheCustomOfTheFormatCounts) {
 }
 
 TEST(FindUp, ACeilingIsNoGround) {
-    // what stands in a room hides its floor, but not its ceiling
+    // objects in a room hide its floor, but not its ceiling
     Scene scene;
     scene.addRectangle({0, 0, 2.5}, {6, 0, 0}, {0, 4, 0});
     scene.addRectangle({0, 0, 0}, {6, 0, 0}, {0, 1.9, 0});

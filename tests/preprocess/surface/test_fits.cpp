@@ -35,7 +35,7 @@ Shape patch(const Height& height) {
     return shape;
 }
 
-/// The x coordinates of the neighbours gathered around a point that has too many.
+/// The x coordinates of the neighbours gathered around a point that has too many of them.
 std::vector<float> placesAround(const PointSet& points, std::size_t point) {
     std::vector<float> radii(points.size(), 0), places;
     radii[point] = 0.4f;
@@ -61,7 +61,7 @@ TEST(NeighborhoodGatherer, SelectsTheSameNeighborsInAnyCloud) {
     const std::vector<float> alone = placesAround(points, 0);
     EXPECT_LE(alone.size(), 192u);
     EXPECT_GT(alone.size(), 96u);
-    std::reverse(points.positions.begin(), points.positions.end()); // and other points besides
+    std::reverse(points.positions.begin(), points.positions.end()); // with other points added
     for (int i = 0; i < 3000; ++i) {
         points.positions.emplace_back(float(uniform(random)) - 1.5f, float(uniform(random)), 0);
         points.normals.push_back(Vec3f::UnitZ());

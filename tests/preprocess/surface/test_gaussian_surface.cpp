@@ -33,7 +33,7 @@ public:
         for (int i = 0; i < count; ++i)
             add(corner + share() * u + share() * v, turn, {0.1 + 0.1 * share(), 0.1, 0.005}, opacity);
     }
-    /// Without its underside.
+    /// A box without its underside.
     void addBox(const Vec3d& low, const Vec3d& size) {
         const Vec3d x = size.x() * Vec3d::UnitX(), y = size.y() * Vec3d::UnitY(), z = size.z() * Vec3d::UnitZ();
         addRectangle(low + z, x, y, 0.9);

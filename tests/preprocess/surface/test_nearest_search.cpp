@@ -14,7 +14,7 @@ namespace {
 using namespace surface;
 using Ranked = std::vector<std::pair<float, std::uint32_t>>;
 
-/// Enough that several threads divide them: scattered ones, a line, a clump, and a grid whose points tie.
+/// So many points that several threads share them: scattered ones, a line, a clump, and a grid whose points tie.
 std::vector<Vec3f> unevenPoints() {
     std::mt19937 random(5);
     std::uniform_real_distribution<float> place(0, 1);
@@ -27,7 +27,7 @@ std::vector<Vec3f> unevenPoints() {
     return points;
 }
 
-/// In the cloud, at its points, and outside.
+/// Queries in the cloud, at its points, and outside.
 std::vector<Vec3f> queriesFor(const std::vector<Vec3f>& points) {
     std::vector<Vec3f> queries{{-5, 2, 2}, {20, 20, 20}, {8, 8, -0.5f}, {3, 3, 3}, {0.5f, 0.5f, 0.25f}};
     for (std::size_t i = 0; i < points.size(); i += 131) queries.push_back(points[i]);
@@ -50,7 +50,7 @@ TEST(NearestSearch, FindsTheNearestAndBreaksTies) {
         const Ranked ranked = rankedByDistance(points, query);
         ASSERT_EQ(search.nearest(query, indices, squared), 20u);
         for (std::size_t i = 0; i < 20; ++i) EXPECT_EQ(std::pair(squared[i], indices[i]), ranked[i]);
-        const float limit = ranked[7].first; // those at the limit are not below it
+        const float limit = ranked[7].first; // points at the limit are not below it
         const auto nearer = std::lower_bound(ranked.begin(), ranked.end(), std::pair(limit, 0u)) - ranked.begin();
         EXPECT_EQ(search.nearest(query, indices, squared, limit), std::size_t(nearer));
     }
@@ -73,7 +73,7 @@ TEST(NearestSearch, FindsAllWithin) {
     }
 }
 
-/// Places along a curve through the cloud: steps much shorter than between points, then jumps.
+/// Queries along a curve through the cloud: steps much shorter than the point spacing, then jumps.
 std::vector<Vec3f> placesAlong(const std::vector<Vec3f>& points) {
     std::vector<Vec3f> places;
     for (std::size_t i = 0; i + 1 < points.size(); i += 997)
@@ -114,7 +114,7 @@ TEST(NearestCache, StopsBelowTheLimit) {
 }
 
 TEST(NearestCache, FindsPointsAtNoDistance) {
-    std::vector<Vec3f> points(400, Vec3f(0.25f, 0.5f, 0.75f)); // fewer than a cache holds, more than are wanted
+    std::vector<Vec3f> points(400, Vec3f(0.25f, 0.5f, 0.75f)); // fewer than a cache holds, more than requested
     points.resize(500, Vec3f(1, 1, 1));
     const NearestSearch search(points);
     NearestCache cache(search, points);
@@ -144,7 +144,7 @@ TEST(NearestSearch, FewPoints) {
     EXPECT_EQ(NearestSearch(one).nearest({1, 2, 4}, indices, squared), 1u);
     EXPECT_EQ(indices[0], 0u);
     EXPECT_EQ(squared[0], 1);
-    const NearestSearch equal(equal_points); // no cut tells them apart
+    const NearestSearch equal(equal_points); // no cut can separate them
     EXPECT_EQ(equal.nearest({1, 1, 1}, indices, squared), 3u);
     EXPECT_EQ(squared, (std::array<float, 3>{0, 0, 0}));
 }

@@ -84,7 +84,7 @@ TEST(Normals, KeepKeepsAll) {
     const Shape shape = randomSphere(5000);
     Cloud cloud = shape.cloud();
     cloud.normals = shape.normals;
-    for (Vec3f& normal : cloud.normals) normal = -normal; // given inwards
+    for (Vec3f& normal : cloud.normals) normal = -normal; // the given normals point inwards
     SurfaceOptions options;
     options.normals = NormalSource::kKeep;
     SurfaceReport report;

@@ -98,7 +98,7 @@ TEST(Outliers, FloatersAreRemovedAndTheSurfaceStays) {
     EXPECT_LT(beside_left, beside / 7);                    // measured: 19 of 147
 }
 
-/// In a part of a cloud, so many floaters that they would determine the 95% quantile.
+/// A part of a cloud with so many floaters that they would determine the 95% quantile.
 TEST(Outliers, OfAPartAreJudgedByTheLargerCloud) {
     constexpr std::size_t kSurface = 5000, kFloaters = 1000;
     Shape shape = randomSphere(kSurface);
@@ -149,7 +149,7 @@ TEST(Outliers, SmallCloudsKeepAllPoints) {
 }
 
 TEST(Outliers, SparseSurfaceBesideDenseOneStays) {
-    Shape shape = gridPlane(100); // 100 times the density of the part to its right
+    Shape shape = gridPlane(100); // 100 times as dense as the part to its right
     for (int i = 0; i < 40; ++i)
         for (int j = 0; j < 10; ++j) shape.add(Vec3d(1 + (i + 0.5) / 10, (j + 0.5) / 10, 0), Vec3d::UnitZ());
     SurfaceReport report;

@@ -40,7 +40,7 @@ TEST(Planarity, DiscsOfScatteredPointsAreAQuarterOfTheDistanceToTheirNeighbors) 
     const Splats splats = estimate(solidBall(3000, Vec3d::Zero(), 1).cloud(), options);
     std::size_t small = 0;
     for (std::size_t i = 0; i < splats.radii.size(); ++i) small += splats.radii[i] <= 0.251f * toSecond(splats, i);
-    EXPECT_GT(small, splats.radii.size() * 98 / 100); // measured: all; without the rule none
+    EXPECT_GT(small, splats.radii.size() * 98 / 100); // measured: all of them; without the rule none
 }
 
 /// A plane of 10,000 points with a crown of 5,000 above it.

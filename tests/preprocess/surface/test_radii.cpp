@@ -35,7 +35,7 @@ float medianRadius(Splats splats) {
     return *middle;
 }
 
-/// Whether a point of a steps x steps grid on [0, 1]^2, moved by less than half a step, is in the outermost row.
+/// Whether a point of a steps x steps grid on [0, 1]^2, each moved by less than half a step, is in the outermost row.
 bool onBorder(const Vec3f& p, int steps) {
     return std::min({p.x(), p.y(), 1 - p.x(), 1 - p.y()}) < 0.75f / float(steps);
 }
@@ -106,7 +106,7 @@ TEST(Radii, DiscsEndAtTheBorder) {
     }
     const double spacing = 1 / std::sqrt(double(kCount));
     EXPECT_LT(sum / double(hanging), 0.8 * spacing); // measured: 0.70; 0.95 if corners beyond the border count
-    EXPECT_LT(most, 3 * spacing);                    // 2.7; 3.4
+    EXPECT_LT(most, 3 * spacing);                    // measured: 2.7; 3.4 without
 }
 
 /// A round hole with a radius of 1.5 spacings is a gap of the sampling, and closed.
@@ -141,7 +141,7 @@ TEST(Radii, DensityJumpIsClosed) {
 }
 
 TEST(Radii, SparseGroupsStaySmall) {
-    // nine points far apart, each other's neighbours, over a dense plane
+    // nine points far apart, which are each other's neighbours, above a dense plane
     Shape shape = gridPlane(150);
     for (int i = 0; i < 9; ++i) shape.add(Vec3d(0.4 * (i % 3), 0.4 * (i / 3), 5), Vec3d::UnitZ());
     SurfaceOptions options;
@@ -221,7 +221,7 @@ TEST(Radii, SmoothedPointsOverlapLess) {
     const Splats splats = estimate(shape.cloud());
     for (std::size_t i = 0; i < splats.radii.size(); ++i) {
         const Vec3f& p = splats.positions[i];
-        if (onBorder(p, 100) || splats.noise[i] == 0) continue; // clean by chance
+        if (onBorder(p, 100) || splats.noise[i] == 0) continue; // clean by coincidence
         ASSERT_NEAR(splats.radii[i], 1.2 / 100 * std::numbers::sqrt2 / 2, 0.02 / 100) << p.transpose();
     }
 }
@@ -264,7 +264,7 @@ TEST(Radii, ArcsAroundCornersHaveNoPlates) {
             shape.add(Vec3d(0.01 * i, 0, z), Vec3d::UnitY());
             shape.add(Vec3d(0, 0.01 * (i + 1), z), Vec3d::UnitX());
         }
-    // Three steps to the sixth neighbour, six at the ends.
+    // The sixth neighbour is three steps away, at the ends six.
     EXPECT_LT(largestAbove(shape), 1.4 * 0.06 + 0.001);
 }
 

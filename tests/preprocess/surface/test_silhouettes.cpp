@@ -50,7 +50,7 @@ TEST(Silhouettes, AreOnBothSidesOfAStep) {
     const Cloud cloud = depthFrame(5, 8, 0.01, [](double u, double) { return u < 0 ? 1.0 : 1.2; });
     EXPECT_EQ(picture(cloud, flagSilhouettes(cloud)), "...##...\n...##...\n...##...\n...##...\n...##...\n");
     const Cloud low = depthFrame(5, 8, 0.01, [](double u, double) { return u < 0 ? 1.0 : 1.05; });
-    EXPECT_TRUE(flagSilhouettes(low).empty()); // five pixels deep
+    EXPECT_TRUE(flagSilhouettes(low).empty()); // five pixels are the depth limit
 }
 
 TEST(Silhouettes, PanoramasWrapAround) {
@@ -81,7 +81,8 @@ TEST(Silhouettes, AreNotOnADistantFloor) {
     const auto floor = [](double, double v) { return v < 0.05 ? std::nan("") : 1.5 / v; };
     const Cloud cloud = depthFrame(120, 9, 0.01, floor);
     const std::string flags = picture(cloud, flagSilhouettes(cloud));
-    EXPECT_EQ(std::count(flags.begin(), flags.end(), '#'), 0) << flags; // nor is the far end: the camera saw it
+    // the far end is not flagged either: the camera saw it
+    EXPECT_EQ(std::count(flags.begin(), flags.end(), '#'), 0) << flags;
 }
 
 TEST(Silhouettes, OfStationsAreMixedPixelsAlone) {
@@ -91,7 +92,7 @@ TEST(Silhouettes, OfStationsAreMixedPixelsAlone) {
 }
 
 TEST(Silhouettes, ThinThingsThatAStationSawStay) {
-    // a wire before a wall, one sample wide, and a wire before nothing
+    // a wire one sample wide in front of a wall, and a wire in front of nothing
     const Cloud cloud = depthFrame(4, 12, 0.01, [](double u, double) {
         return u < -0.01 ? std::nan("") : std::abs(u) < 0.01 ? 1.0 : 3.0;
     });

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Neighbourhoods of points in clumps and on lines, and the surfaces that come of them.
+// Neighbourhoods of points in clumps and on lines, and the surfaces estimated from them.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -37,8 +37,8 @@ struct SurroundedShape {
     }
 };
 
-/// Frames of a sensor that stands still: a clump at each place of a grid with steps of 0.97, 0.01 wide and 0.03 high.
-/// Off the origin, as a clump at a corner of cells would lie in several.
+/// Frames of a stationary sensor: a clump at each point of a grid with steps of 0.97, 0.01 wide and 0.03 high. Moved
+/// off the origin, because a clump at a corner of cells would lie in several.
 Shape standingFrames(int frames, int steps = 24) {
     Random random(31);
     Shape shape;
@@ -84,8 +84,8 @@ Shape creasedProfiles() {
     return shape;
 }
 
-/// What a spinning lidar in the middle sees: flat ground in rings that are far apart, and arcs of three beams on what
-/// is too thin for others, each in the plane of its beam.
+/// A spinning lidar in the middle: flat ground in rings that are far apart, and objects so thin that only arcs of three
+/// beams hit them, each in the plane of its beam.
 Shape ringsAndArcs() {
     Random random(36);
     Shape shape;
@@ -99,7 +99,7 @@ Shape ringsAndArcs() {
     return shape;
 }
 
-/// Bands of points, half as wide as they are apart, as a lidar that moves on slowly leaves: 24 lines each. The noise is
+/// Bands of points, half as wide as the gaps between them, as a slowly moving lidar leaves: 24 lines each. The noise is
 /// nearly two spacings.
 Shape bands() {
     Random random(33);
@@ -112,7 +112,7 @@ Shape bands() {
     return shape;
 }
 
-/// Share of vertical lines in a rectangle that meet a disc, `margin` inside the splats' bounds.
+/// Share of vertical lines in a rectangle, `margin` inside the splats' bounds, that hit a disc.
 double shareHit(const Splats& splats, float margin) {
     Vec3f low = splats.positions[0], high = low;
     for (const Vec3f& p : splats.positions) low = low.cwiseMin(p), high = high.cwiseMax(p);
@@ -175,7 +175,7 @@ TEST(Surround, ListsHoldPointsOfOtherClumpsOnAllSides) {
             }
             one_sided += !(left && right && before && behind);
         }
-        EXPECT_LE(one_sided, surrounded.points.size() / 25) << frames; // three sides may do
+        EXPECT_LE(one_sided, surrounded.points.size() / 25) << frames; // points on three sides may be enough
     }
 }
 
@@ -208,7 +208,7 @@ TEST(Surround, NormalsOfProfilesTurnAtACrease) {
     const Splats splats = estimate(shape.cloud());
     double sum = 0, count = 0;
     for (std::size_t i = 0; i < splats.positions.size(); ++i) {
-        if (splats.input_index[i] >= shape.positions.size()) continue; // filled
+        if (splats.input_index[i] >= shape.positions.size()) continue; // inserted by filling
         const double from_crease = std::abs(double(splats.positions[i].x()) - 2);
         if (from_crease < 0.2 || from_crease > 0.7) continue;
         const float cosine = std::abs(splats.normals[i].dot(shape.normals[splats.input_index[i]]));

@@ -88,7 +88,7 @@ TEST_F(SetTest, TilesOfFewPointsGetWiderHalos) {
     const SetPlan plan = readPlan(splitInto("A.proset", request).work); // with the statistics of the whole cloud
     EXPECT_EQ(bakeBlocks(plan, {0, plan.blocks()}, 2).lacking, 0u);
     EXPECT_EQ(countOtherThanWhole(request, plan), 0u);
-    // the 95% quantile lies where points are sparse, which a few places would hardly sample
+    // the 95% quantile lies in the sparse part, which a few places would hardly sample
     const surface::PointSet points = surface::takePoints(readInputs(request.inputs, {}));
     const surface::NearestSearch search(points.positions);
     const auto k = static_cast<std::size_t>(request.bake.surface.neighbors);
@@ -235,7 +235,7 @@ TEST_F(SetTest, DroppingSplatFilesDoesNotChangeTiles) {
     EXPECT_EQ(bytesBelow(splatsFolder(keeping)), before);
 
     ASSERT_GE(dropping.blocks(), 2u);
-    makeBlockTiles(dropping, {0, 1}, "{}", 2); // then killed
+    makeBlockTiles(dropping, {0, 1}, "{}", 2); // as if killed here
     const std::uint64_t between = bytesBelow(splats);
     EXPECT_LT(between, before);
     makeSet(dropping, "{}", 2);
@@ -349,7 +349,7 @@ TEST(Halo, WideEnoughWhereNeighborsAreNearerThanTheRim) {
 TEST(Halo, TooNarrowWhereTheyAreNot) {
     HaloScene scene;
     scene.addPlane(1);               // 2.2 away, the rim 3 and more: their own neighbours lie beyond it
-    EXPECT_GE(scene.lacking(), 36u); // the 10 by 10 but those 5 from all rims, and as far
+    EXPECT_GE(scene.lacking(), 36u); // of the 10 by 10 points, all but those 5 or more from every rim
 }
 
 TEST(Halo, NoPointsBeyondTheRimNothingLacks) {

@@ -56,7 +56,7 @@ std::vector<CountedCell> plain() {
 TEST(ChooseTiles, APlaneIsSplitIntoEqualSquares) {
     SetPlan plan;
     TileChoice choice;
-    choice.points_per_tile = 2560; // a sixteenth of them
+    choice.points_per_tile = 2560; // a sixteenth of all points
     chooseTiles(plain(), 0.5, choice, plan);
     EXPECT_EQ(plan.points, 40'960u);
     EXPECT_EQ(plan.tiles.size(), 16u);

@@ -31,7 +31,7 @@ TEST(MergeMoments, ShadowOfABallIsItsDisc) {
 
 TEST(MergeMoments, ShadowOfADiscIsHalfOfItOnAverage) {
     const Eigen::Matrix3d flat = Vec3d(1, 1, 1e-6).asDiagonal();
-    EXPECT_NEAR(meanShadow(flat), EIGEN_PI / 2, 0.011 * EIGEN_PI / 2); // Thomsen's error
+    EXPECT_NEAR(meanShadow(flat), EIGEN_PI / 2, 0.011 * EIGEN_PI / 2); // within the error of Thomsen's formula
 }
 
 TEST(MergeMoments, TwinsHideAsMuchAsOneBehindTheOther) {
@@ -48,7 +48,7 @@ TEST(MergeMoments, NeighboursBecomeTheirMeanAndCovariance) {
     EXPECT_NEAR(both.covariance(0, 0), 0.01 + 0.75 * 1 + 0.25 * 9, 1e-12);
     EXPECT_NEAR(both.covariance(1, 1), 0.01, 1e-12);
     EXPECT_NEAR(both.covariance(0, 1), 0, 1e-12);
-    // what both hide, spread over the shadow of the ellipsoid of both
+    // the part hidden by both, spread over the shadow of their common ellipsoid
     EXPECT_NEAR(both.opacity * meanShadow(both.covariance), 0.8 * EIGEN_PI * 0.01, 1e-12);
 }
 
@@ -72,7 +72,7 @@ struct StoredGaussian {
     double step;
 };
 
-/// The one whose mean is nearest.
+/// The Gaussian whose mean is nearest.
 const StoredGaussian& nearestTo(const Double3& mean, const std::vector<StoredGaussian>& stored) {
     const auto distance = [&](const StoredGaussian& each) { return length(minus(each.gaussian.mean, mean)); };
     return *std::min_element(stored.begin(), stored.end(),
@@ -127,7 +127,7 @@ TEST_F(GaussianTiles, CoarserLevelsHoldFewerThatHideAsMuch) {
     };
     const std::vector<OracleGaussian> root = readGaussianPro(tilePath(setFolder(), set.tiles[0]));
     EXPECT_LT(root.size(), made.size() / 4);
-    // no more than all side by side, and less where they were one behind the other
+    // hides no more than all of them side by side, and less where they were one behind another
     EXPECT_LT(hidden(root), 1.05 * hidden(made));
     EXPECT_GT(hidden(root), 0.4 * hidden(made));
     EXPECT_GT(set.tiles[0].error, 0);

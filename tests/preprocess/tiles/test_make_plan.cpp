@@ -26,7 +26,7 @@ TEST_F(SetTest, ThePlanHasEveryPointOnce) {
     EXPECT_EQ(plan.schema.scan_bytes, 1u);
     ASSERT_EQ(plan.schema.attributes.size(), 2u);
     EXPECT_EQ(plan.schema.attributes[0].name, "intensity");
-    EXPECT_EQ(plan.schema.attributes[0].type, Scalar::kU16); // integers below 60,000, as text
+    EXPECT_EQ(plan.schema.attributes[0].type, Scalar::kU16); // the text has integers below 60,000
     EXPECT_EQ(plan.schema.attributes[1].name, kScanNumber);
     EXPECT_TRUE(plan.schema.scan_attribute);
     EXPECT_EQ(plan.up_from, "data");
@@ -35,7 +35,7 @@ TEST_F(SetTest, ThePlanHasEveryPointOnce) {
     ASSERT_GT(plan.sides.normals.size(), 4000u);
     const auto& normals = plan.sides.normals;
     const auto up = std::count_if(normals.begin(), normals.end(), [](const Vec3f& normal) { return normal.z() > 0; });
-    EXPECT_GT(double(up), 0.99 * double(normals.size())); // but for the step between the two
+    EXPECT_GT(double(up), 0.99 * double(normals.size())); // except on the step between the two
 }
 
 TEST_F(SetTest, APlanIsReadAsItWasWritten) {

@@ -84,7 +84,7 @@ TEST(MergeDisc, RaysHitScatteredDiscsAsOftenAsBefore) {
             }
         }
         EXPECT_NEAR(now, before, 0.1 * before)
-            << count << " of radius " << radius; // discs with the sum of the areas are hit 7 to 20% more often
+            << count << " of radius " << radius; // with the sum of the areas, discs would be hit 7 to 20% more often
     }
 }
 
@@ -123,8 +123,8 @@ TEST(MergeDisc, RaysHitBallsAsOftenAsBefore) {
     }
 }
 
-/// Points of the members' surfaces outside of the merged ball are no farther from it than its error, and its points no
-/// farther from them.
+/// No point of the members' surfaces outside the merged ball is farther from it than its error, and no point of the
+/// ball is farther than that from the members.
 TEST(MergeDisc, ErrorBoundsTheDistanceOfBalls) {
     std::mt19937 random(6);
     std::normal_distribution<float> normal;
@@ -170,7 +170,7 @@ TEST(MergeDisc, SidesStayApart) {
 TEST(MergeDisc, SticksAreSplit) {
     MergeDiscs stick;
     for (int i = 0; i < 8; ++i) {
-        stick.positions.emplace_back(1.5f * float(i * 5 % 8), 0, 0); // 0 to 10.5, in no order
+        stick.positions.emplace_back(1.5f * float(i * 5 % 8), 0, 0); // from 0 to 10.5, unsorted
         stick.normals.emplace_back(0, 0, 1);
         stick.radii.push_back(1);
     }
@@ -187,7 +187,7 @@ TEST(MergeDisc, SticksAreSplit) {
     EXPECT_EQ(sizes, (std::vector<std::uint32_t>{4}));
 }
 
-/// Unoriented normals: the mean of a normal and its opposite is either of them.
+/// Unoriented normals: the mean of a normal and its opposite is one of the two.
 TEST(MergeDisc, AxesDoNotCancel) {
     const Vec3f up(0, 0, 1);
     const MergeDiscs discs{{{0, 0, 0}, {1, 0, 0}}, {up, -up}, {1, 1}};

@@ -73,7 +73,7 @@ TEST_F(SetTest, RealScansPassPlanAndSplitUnchanged) {
     for (const std::string& path : someScans(data)) {
         Cloud whole;
         SetRequest request = requestOf({path}, 100'000'000);
-        request.bake.surface.remove_outliers = false; // strays get a tile as well
+        request.bake.surface.remove_outliers = false; // so that strays get a tile too
         request.up = Vec3d::UnitZ();                  // not tested here
         try {
             whole = readInputs({path}, request.read);

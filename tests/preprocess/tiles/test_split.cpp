@@ -53,10 +53,10 @@ TEST_F(SetTest, MissingDataIsLeftOutAsOfFiles) {
     addRows(whole, expected);
     std::sort(expected.begin(), expected.end());
     EXPECT_EQ(rowsOf(plan), expected);
-    ASSERT_EQ(plan.notes.size(), 2u); // the third of single files is about their sizes
+    ASSERT_EQ(plan.notes.size(), 2u); // the third note of single files is about their sizes
     ASSERT_EQ(whole.notes.size(), 3u);
     for (std::size_t i = 0; i < plan.notes.size(); ++i) EXPECT_EQ(plan.notes[i].text, whole.notes[i].text);
-    // another process splits by what the plan's file says
+    // another process splits by what is in the plan's file
     const SetPlan read = readPlan(plan.work);
     removeTree(splitMark(plan));
     removeTree(bucketsFolder(plan));

@@ -12,7 +12,7 @@
 namespace pointrt {
 namespace {
 
-/// Largest number of threads at work at once with a budget of 100 points, of which each reserves some.
+/// Largest number of threads that worked at once with a budget of 100 points, of which each reserves some.
 int mostAtOnce(std::uint64_t points) {
     PointBudget budget(100);
     std::atomic<int> inside{0}, most{0};

@@ -47,7 +47,7 @@ TEST_F(SetTest, TheWidestRadiusIsExact) {
     const TileTree tree = twoTiles(splats, radii);
     const float widest = findWidestRadius(tree, splats);
     EXPECT_EQ(widest, surface::radiusLimit(radii));
-    // and once more with limited radii
+    // once again with limited radii
     for (float& radius : radii) radius = std::min(radius, widest);
     EXPECT_EQ(findWidestRadius(twoTiles(splats, radii), splats), widest);
 }
@@ -69,8 +69,8 @@ TEST_F(SetTest, DiscsOfASetAreAsWideAsThoseOfItsFile) {
     const Splats whole = estimateSplats(readInputs(request.inputs, {}), request.bake.surface, report);
     const float of_file = *std::max_element(whole.radii.begin(), whole.radii.end());
     const float of_set = widestRadius(plan, treeOf(plan));
-    EXPECT_NEAR(of_set, of_file, 0.02 * of_file);        // one splat more or less moves the limit to the next radius
-    EXPECT_EQ(widestRadius(plan, treeOf(plan)), of_set); // as stored
+    EXPECT_NEAR(of_set, of_file, 0.02 * of_file); // one splat more or less moves the limit to the adjacent radius
+    EXPECT_EQ(widestRadius(plan, treeOf(plan)), of_set); // the stored value
 }
 
 } // namespace

@@ -79,7 +79,7 @@ TEST_F(CameraListErrors, DistortionIsRefusedUnlessDropped) {
     EXPECT_EQ(readCameraList(folder.file("images.txt"), {{}, true}).at(0).lens, (PinholeLens{500, 500, 320, 240}));
     expectJson(framed(kLens, ", \"k1\": -0.1, \"p2\": 0.002"), "frame 0: *distortion (k1 -0.1, p2 0.002)");
     EXPECT_EQ(readCameraList(folder.file("transforms.json"), {{}, true}).size(), 1u);
-    folder.write("cameras.txt", "1 OPENCV 640 480 500 510 320 240 0 0 0 0\n"); // no distortion
+    folder.write("cameras.txt", "1 OPENCV 640 480 500 510 320 240 0 0 0 0\n"); // without distortion
     EXPECT_EQ(readCameraList(folder.file("images.txt"), {}).size(), 1u);
 }
 

@@ -95,7 +95,7 @@ TEST_F(CameraSets, ContainTheSelectedLayers) {
         EXPECT_EQ(depth.channels, 1u);
         EXPECT_EQ(depth.bits, 16u);
         ASSERT_EQ(depth.values.size(), pixels);
-        // depth is along the axis, so equal in all pixels: 36 m in millimetres
+        // depth is measured along the axis, so it is equal in all pixels: 36 m in millimetres
         for (const std::uint32_t value : depth.values) ASSERT_NEAR(value, 36000, 1.1);
         const PngNumbers normal = readPng(folder.file(std::string("set/normal/") + name + ".png"));
         ASSERT_EQ(normal.values.size(), 3 * pixels);
@@ -138,8 +138,7 @@ TEST_F(CameraSets, TheWrittenListReproducesThePictures) {
     const std::string list = text("set/transforms.json");
     EXPECT_NE(list.find("\"file_path\": \"rgb/more/b.png\""), std::string::npos) << list;
     EXPECT_NE(list.find("\"depth_file_path\": \"depth/a.png\""), std::string::npos) << list;
-    EXPECT_NE(list.find("\"depth_unit_scale_factor\": 0.01"), std::string::npos)
-        << list; // 120 m are more than 65535 mm
+    EXPECT_NE(list.find("\"depth_unit_scale_factor\": 0.01"), std::string::npos) << list; // 120 m exceed 65535 mm
     EXPECT_NE(list.find("-4500064.0"), std::string::npos) << list;
 }
 
@@ -152,8 +151,8 @@ TEST_F(CameraSets, RefuseInvalidOptions) {
     expectRefused(1, "far.json: frame 0: *10000", "--cameras far.json -o set");
     expectRefused(1, "bent.json: frame 0: *distortion (k1 0.1)", "--cameras bent.json -o set");
     expectRefused(2, "--cameras: *FOLDER", "--cameras list.json");
-    expectRefused(2, "--cameras *--eye *exclude", "--cameras list.json -o set --eye 1,2,3");
-    expectRefused(2, "--cameras *--turntable *exclude", "--cameras list.json -o set --turntable 3");
+    expectRefused(2, "--cameras *--eye *combined", "--cameras list.json -o set --eye 1,2,3");
+    expectRefused(2, "--cameras *--turntable *combined", "--cameras list.json -o set --turntable 3");
     expectRefused(2, "--layers: \"deph\" *rgb, albedo", "--cameras list.json -o set --layers rgb,deph");
     expectRefused(2, "--size: ", "--cameras list.json -o set --size 40x31");
     expectRefused(2, "need --cameras", "-o a.png --layers rgb");

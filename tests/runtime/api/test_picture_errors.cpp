@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Errors of pictures: of the right kind, in one line.
+// Errors of pictures have the right kind and one line.
 #include <gtest/gtest.h>
 
 #include "pointrt/render.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Pictures of tile sets from several cameras: each has the tiles that it would have alone.
+// Pictures of tile sets from several cameras: each uses the same tiles as when it is rendered alone.
 #include <algorithm>
 
 #include "tests/runtime/api/same_pictures.h"

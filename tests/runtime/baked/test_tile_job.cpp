@@ -27,7 +27,7 @@ protected:
         request_.cameras = {{{-3, 0, 0}, {0, -1, 0}, {0, 0, 1}, {1, 0, 0}, 60, 0}};
         request_.size = {64, 64};
         request_.detail = 0;
-        updateTiles(device, scene_, request_); // without memory
+        updateTiles(device, scene_, request_); // without a memory limit
         request_.memory = std::uint64_t{1} << 30;
     }
     ~TileJobTest() override { destroyDeviceScene(device, scene_); }

@@ -89,7 +89,7 @@ TEST_F(Cast, GridCoordinates_PlaneIsExact) {
     }
 }
 
-/// In doubles, from the quantised splats.
+/// A disc in doubles, from its quantised splat.
 struct Disc {
     Vec3 center, normal;
     double radius = 0;
@@ -299,7 +299,7 @@ TEST_F(Cast, Threads_GetTheSameHits) {
     const TraceScene scene(device, {scan("sphere.pro", sphereSplats(500, 0.3f))});
     const std::vector<double> some = anyRays(1000, {}, 5);
     const Hits expected = cast(scene, some);
-    constexpr std::size_t kTurns = 300; // more than a chunk, and not a multiple
+    constexpr std::size_t kTurns = 300; // more rays than a chunk holds, and not a multiple of it
     std::vector<double> rays;
     for (std::size_t turn = 0; turn < kTurns; ++turn) rays.insert(rays.end(), some.begin(), some.end());
     std::vector<std::jthread> threads;

@@ -18,7 +18,7 @@ namespace {
 
 constexpr std::size_t kGaussianRays = 2000;
 
-/// From points around the Gaussians, some among them, towards others; directions of any length.
+/// Rays from points around the Gaussians, some from among them, towards other points; directions of any length.
 std::vector<double> raysAmongGaussians() {
     std::mt19937 random(7);
     std::normal_distribution<double> normal;
@@ -31,7 +31,7 @@ std::vector<double> raysAmongGaussians() {
     return rays;
 }
 
-/// In lengths of the direction; infinity for a miss.
+/// Distances in lengths of the direction; infinity for a miss.
 std::vector<double> trueDistances(const OracleScene& scene, const std::vector<double>& rays) {
     std::vector<double> distances;
     for (std::size_t i = 0; i < rays.size(); i += 6) {
@@ -42,7 +42,8 @@ std::vector<double> trueDistances(const OracleScene& scene, const std::vector<do
     return distances;
 }
 
-/// Hits and occlusions are as expected but for one in a hundred, where rounding moves a ray across the half.
+/// Hits and occlusions are as expected except for one in a hundred, where rounding decides whether a ray passes the
+/// half.
 void expectDistances(const TraceScene& scene, const std::vector<double>& rays, const std::vector<double>& expected) {
     std::vector<double> t(kGaussianRays);
     std::vector<std::uint32_t> splats(kGaussianRays);
@@ -62,7 +63,7 @@ void expectDistances(const TraceScene& scene, const std::vector<double>& rays, c
         EXPECT_NEAR(length(normal), 1, 1e-3);
         EXPECT_LE(dot(normal, {rays[6 * i + 3], rays[6 * i + 4], rays[6 * i + 5]}), 0);
     }
-    EXPECT_GT(hits, kGaussianRays / 100); // needles are thin
+    EXPECT_GT(hits, kGaussianRays / 100); // few needles are hit
     EXPECT_LE(others, hits / 100);
 }
 

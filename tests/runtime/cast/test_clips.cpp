@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Rays through clipped scenes equal rays through whole ones that begin where they enter what the clips keep, and whose
-// hits beyond the end of that do not count.
+// Rays through a clipped scene have the hits of rays through the whole scene that start where they enter the kept part;
+// hits beyond its end do not count.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -28,7 +28,7 @@ namespace {
 constexpr double kNoHitDistance = std::numeric_limits<double>::infinity();
 constexpr std::size_t kClippedRays = 4000;
 
-/// From points around the origin, some near it, towards others; of unit length.
+/// Rays from points around the origin, some near it, towards other points; directions of unit length.
 std::vector<double> clippedRays(double size) {
     std::mt19937 random(11);
     std::normal_distribution<double> normal;
@@ -64,7 +64,7 @@ std::vector<double> distancesOf(const TraceScene& scene, const std::vector<doubl
     return t;
 }
 
-/// What the hits of a clipped scene must be, from those of the whole one.
+/// The expected hits of a clipped scene, from those of the whole scene.
 std::vector<double> clippedDistances(const TraceScene& whole, const std::vector<HalfSpace>& kept,
                                      const std::vector<double>& rays) {
     std::vector<double> moved = rays;
@@ -80,7 +80,7 @@ std::vector<double> clippedDistances(const TraceScene& whole, const std::vector<
     return t;
 }
 
-/// A turned box and two planes: of those, one is far from perpendicular to any axis.
+/// A turned box and two planes, one of them far from perpendicular to any axis.
 std::vector<ClipDescription> clipsOfSize(double size) {
     const double c = std::cos(0.6), s = std::sin(0.6);
     const ClipBox box{

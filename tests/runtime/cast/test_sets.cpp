@@ -36,7 +36,7 @@ protected:
     TraceScene tiles(std::uint64_t memory = SceneOptions{}.memory) const {
         return TraceScene(device, {ball->tiles()}, {memory});
     }
-    /// Of about this many tiles.
+    /// A memory limit for about this many tiles.
     static std::uint64_t roomFor(double tiles) {
         return static_cast<std::uint64_t>(tiles * static_cast<double>(ball->largestTile()));
     }
@@ -59,7 +59,7 @@ struct EightTiles {
     TemporaryFolder folder;
     TileSet set;
     double radius = 0;
-    std::uint64_t largest = 0; ///< bytes of a file; the built index takes as much again
+    std::uint64_t largest = 0; ///< bytes of a file; an index built for it takes as much again
 };
 
 struct Others {
@@ -79,7 +79,7 @@ Others othersOf(const EightTiles& eight, const std::vector<double>& rays, const 
         others.blocked += found.occluded[i] != (hit ? 1 : 0);
         if (hit && same) {
             EXPECT_LT(length(found.position(i) - whole.position(i)), 0.02 * eight.radius) << i;
-            // of two discs that a ray grazes, one may be hit from behind
+            // of two discs that a ray grazes, one may be hit on its back
             EXPECT_NEAR(std::abs(dot(found.normal(i), whole.normal(i))), 1, 0.01) << i;
             EXPECT_EQ(found.instance_ids[i], 0u);
         }
@@ -254,7 +254,7 @@ TEST_F(RaysThroughSets, SetsAndFiles_CanBeCombined) {
     EXPECT_GT(std::count(found.instance_ids.begin(), found.instance_ids.end(), 1u), 100);
 }
 
-/// Invalid sets: modified copies of the ball's.
+/// Invalid sets: modified copies of the set of the ball.
 class WrongSets : public RaysThroughSets {
 protected:
     WrongSets() {
@@ -308,7 +308,7 @@ TEST_F(WrongSets, ChangedTile_IsRefusedWhenRead) {
 TEST_F(WrongSets, TileAboveTheMemoryLimit_IsBadUsage) {
     const std::uint64_t needed = ball->largestTile();
     EXPECT_SAYS(refusal(TraceError::Kind::kBadUsage, needed / 2), "one tile *limit");
-    EXPECT_SAYS(refusal(TraceError::Kind::kBadUsage, needed - 1), // equal in MiB
+    EXPECT_SAYS(refusal(TraceError::Kind::kBadUsage, needed - 1), // the same number in MiB
                 "one tile *" + std::to_string(needed) + " bytes *limit *" + std::to_string(needed - 1) + " bytes");
 }
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// For each query, samples a direction with its xy, or if drawn is 0 evaluates the direction xyz. Two vectors each.
+// For each query, samples a direction with the query's xy, or evaluates the direction xyz if `drawn` is 0. Two vectors
+// each.
 #version 450
 
 #extension GL_GOOGLE_include_directive : require

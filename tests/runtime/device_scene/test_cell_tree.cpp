@@ -47,7 +47,7 @@ TEST(CellTree, Cells_LieInBricksAndGroups) {
     ASSERT_EQ(cells.size(), 3u);
     expectCell(cells[0], 1.375f, 0.625f, 0.125f, 0.25f);
     expectCell(cells[1], 1.9375f, 0.8125f, 0.9375f, 0.125f);
-    expectCell(cells[2], 0, 0, 0, 0); // named nowhere
+    expectCell(cells[2], 0, 0, 0, 0); // not named by any word
 }
 
 TEST(CellTree, Cells_OfDamagedFilesAreSkipped) {
@@ -58,7 +58,7 @@ TEST(CellTree, Cells_OfDamagedFilesAreSkipped) {
     small.bricks[2] = groupWord(0);
     small.bricks[3] = groupWord(small.group);
     for (std::uint32_t k = 0; k < PRO_GROUP_WORDS; ++k)
-        small.bricks[PRO_BRICK_WORDS + k] = groupWord(small.group); // a circle
+        small.bricks[PRO_BRICK_WORDS + k] = groupWord(small.group); // a cycle
     expectCell(cellsOf(small.view(1)).at(0), 0, 0, 0, 0);
 }
 

@@ -33,14 +33,14 @@ TileSet setOf(std::size_t levels, std::vector<SetTile> tiles) {
     return set;
 }
 
-/// 0: the root, of x from 0 to 4; 1 and 2: its halves; 3 to 6: theirs.
+/// 0: the root, x from 0 to 4; 1 and 2: its halves; 3 to 6: the quarters.
 TileSet rowOfFour() {
     return setOf(3,
                  {tileAt(2, {0, 0, 0}, 0.4), tileAt(1, {0, 0, 0}, 0.2), tileAt(1, {1, 0, 0}, 0.2),
                   tileAt(0, {0, 0, 0}, 0), tileAt(0, {1, 0, 0}, 0), tileAt(0, {2, 0, 0}, 0), tileAt(0, {3, 0, 0}, 0)});
 }
 
-/// From x = -1 along x, 90 degrees high: at a distance of d a pixel is 2 d / height.
+/// A view from x = -1 along x, 90 degrees high: at a distance of d a pixel is 2 d / height.
 CutView fromTheLeft(std::uint32_t height) {
     CutView view;
     view.camera = {{-1, 0.5, 0.5}, {0, -1, 0}, {0, 0, 1}, {1, 0, 0}, 90, 0};
@@ -118,7 +118,7 @@ TEST(Cut, DetailZero_TakesTheFinestTiles) {
     EXPECT_EQ(cutOf(set, request).tiles, TileNumbers{0});
     request.detail = 0;
     EXPECT_EQ(cutOf(set, request).tiles, (TileNumbers{3, 4, 5, 6}));
-    request.memory = 399; // the limit applies all the same
+    request.memory = 399; // the limit applies nevertheless
     EXPECT_EQ(cutOf(set, request).tiles, (TileNumbers{2, 3, 4}));
     EXPECT_FALSE(cutOf(set, request).fits);
 }
@@ -212,13 +212,13 @@ TEST(Cut, HitBox_ExtendsWhereNoOtherTileIs) {
     const TileSet set = steepSteps();
     std::vector<bool> in_cut(7, false);
     in_cut[4] = in_cut[5] = true;
-    // to the right by the coarser tile's error; elsewhere there is no tile: by an eighth of an edge
+    // on the right by the coarser tile's error; where there is no tile, by an eighth of an edge
     const TileBox fine = hitBox(set, in_cut, 5);
     EXPECT_DOUBLE_EQ(fine.low[0], 3 - 0.125);
     EXPECT_DOUBLE_EQ(fine.high[0], 4 + 5e-7);
     EXPECT_DOUBLE_EQ(fine.low[1], -0.125);
     EXPECT_DOUBLE_EQ(fine.high[2], 1.125);
-    // to the left a finer tile covers only a part of that side
+    // on the left a finer tile covers only a part of that side
     const TileBox coarse = hitBox(set, in_cut, 4);
     EXPECT_DOUBLE_EQ(coarse.low[0], 4 - 0.25);
     EXPECT_DOUBLE_EQ(coarse.high[0], 6.25);

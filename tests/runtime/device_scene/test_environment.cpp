@@ -284,7 +284,7 @@ TEST_F(EnvironmentTest, Rotation_IsAppliedToTheWorld) {
         for (const Answer& answer : draws)
             towards += turned.lamp.x * answer.direction[0] + turned.lamp.y * answer.direction[1] +
                        turned.lamp.z * answer.direction[2];
-        EXPECT_GT(towards / 10'000, 0.3); // 2 texels of 500 emit a third more than all others
+        EXPECT_GT(towards / 10'000, 0.3); // 2 of 500 texels emit a third more than all the others
     }
 }
 

@@ -53,7 +53,7 @@ TEST(GgxAlbedo, TableHoldsEntriesAndTheirMeans) {
     constexpr std::size_t kSide = GGX_TABLE_SIDE;
     const GgxAlbedo corner = ggxAlbedoAt(1, 1), smoothest = ggxAlbedoAt(1, GGX_MIN_ROUGHNESS);
     EXPECT_EQ(table[kSide * kSide - 1].lost, corner.lost);
-    EXPECT_NEAR(corner.lost, std::log(2.0), 1e-4); // alpha 1, seen straight: the integral of c / (1 + c) is left
+    EXPECT_NEAR(corner.lost, std::log(2.0), 1e-4); // for alpha 1, seen straight on, the integral of c / (1 + c) remains
     EXPECT_EQ(table[kSide - 1].lost, smoothest.lost);
     for (std::size_t row = 0; row < kSide; row++) {
         double lost = 0, grazing = 0;

@@ -41,7 +41,8 @@ File openFile(const std::string& path) {
 test::Scene sheet(unsigned seed) {
     std::vector<pro_splat> splats;
     for (unsigned k = 0; k < 2000; ++k) {
-        const unsigned x = (k * 7919 + seed) % 1000, y = k * 104729 % 1000; // primes: all over the sheet
+        // primes, which spread the splats over the sheet
+        const unsigned x = (k * 7919 + seed) % 1000, y = k * 104729 % 1000;
         splats.push_back({{float(x) / 1024, float(y) / 1024, 0.5f}, {0, 0, 1}, 0.02f, {}, 0});
     }
     return test::sceneOf(splats);
@@ -56,7 +57,7 @@ struct Kept {
     }
     std::string keep() const { return cacheIndex(store, file.get(), indexView(built)); }
     File open() const { return File(openCachedIndex(store, file.get())); }
-    /// Of the only cached file.
+    /// The path of the only cached file.
     std::string keptPath() const { return fs::directory_iterator(store.folder)->path().string(); }
 
     test::TemporaryFolder folder;
@@ -184,7 +185,7 @@ TEST(FileCache, TooLargeFiles_DeleteNothing) {
     EXPECT_EQ(folder.entries(), 1u);
 }
 
-/// Sets an environment variable for its lifetime.
+/// Sets an environment variable while it lives.
 class Variable {
 public:
     Variable(const char* name, const char* value) : name_(name) {

@@ -52,7 +52,7 @@ using Long3 = std::array<long double, 3>;
 
 Long3 longOf(Vec3 v) { return {v.x, v.y, v.z}; }
 
-/// The world point of a point in an instance's cube.
+/// The world position of a point in an instance's cube.
 Long3 worldOf(const Placement& placement, const pro_info& info, Vec3 cube) {
     const Long3 at = longOf(cube), translation = longOf(placement.translation);
     Long3 input, world;
@@ -65,7 +65,7 @@ Long3 worldOf(const Placement& placement, const pro_info& info, Vec3 cube) {
     return world;
 }
 
-/// The render space point of a world point, without rounding.
+/// The render space position of a world point, without rounding.
 Long3 renderPointOf(const RenderSpace& space, const Long3& world) {
     const Long3 origin = longOf(space.origin);
     Long3 point;
@@ -129,7 +129,7 @@ TEST(RenderSpace, FramesShapesIfThereIsNoInstance) {
     EXPECT_EQ(space.origin.z, 28);
 }
 
-// A millimetre of a national grid's coordinates is the 13th digit.
+// A millimetre is the 13th digit of coordinates in a national grid.
 TEST(RenderSpace, KeepsMillimetresOfNationalGrids) {
     std::mt19937_64 random(3);
     std::uniform_real_distribution<double> unit;
@@ -299,7 +299,7 @@ TEST(PackLight, PutsDiscsInTheirPlane) {
     const gpu::Shape shape = lampShape(space, disc, 3).value();
     EXPECT_EQ(shape.kind.x, std::uint32_t{SHAPE_DISC});
     EXPECT_EQ(shape.kind.z, SHAPE_UNSEEN_BY_CAMERA);
-    // a point of the rim, half a unit from the centre, is at distance 1 in the unit form
+    // a point of the rim, half a unit from the centre, is at distance 1 in the shape's unit form
     EXPECT_NEAR(std::hypot(shape.row_x.x * 1.5 + shape.row_x.w, shape.row_y.x * 1.5 + shape.row_y.w), 1, 1e-6);
     EXPECT_EQ(lampMaterial(disc, 9).value().emission.z, 7);
 }

@@ -215,7 +215,7 @@ TEST_F(ScenePaintTest, Ranges_FitTheNumbers) {
     EXPECT_EQ(plan().legend->range, (ValueRange{5, 6}));
 }
 
-/// Colours of distances have 0 in their middle.
+/// The colour map of distances has 0 in its middle.
 TEST_F(ScenePaintTest, Distances_AreDiverging) {
     test::Scene tiny = test::tinyScene();
     const float distances[] = {-1, 0, 2.5f, 3, std::numeric_limits<float>::quiet_NaN()};
@@ -253,16 +253,16 @@ TEST_F(ScenePaintTest, Scans_MayKeepTheirColours) {
 TEST_F(ScenePaintTest, Overrides_ApplyInOrder) {
     using Numbers = SplatSelection;
     scene.materials.resize(4);
-    put(Numbers{"class", {{2, 2}}}, 3); // splats 0, 1 and 4; file rows are 0 1 0 0 1
+    put(Numbers{"class", {{2, 2}}}, 3); // these are splats 0, 1 and 4; file rows are 0 1 0 0 1
     EXPECT_EQ(rows(), (Ints{2, 2, 0, 0, 2}));
-    put(Numbers{"intensity", {{7, 300}}}, 1); // 2, 3 and 4
+    put(Numbers{"intensity", {{7, 300}}}, 1); // these are 2, 3 and 4
     EXPECT_EQ(rows(), (Ints{2, 2, 3, 3, 3}));
     EXPECT_EQ(paintedMaterials(scene.instances[0], scan), (std::vector<std::uint32_t>{3, 1}));
-    put(Numbers{"gps_time", {{-4.5, -4.5}, {3, 3}}}, 3); // 2 and 3, and not the one that is no number
+    put(Numbers{"gps_time", {{-4.5, -4.5}, {3, 3}}}, 3); // these are 2 and 3; NaN matches nothing
     EXPECT_EQ(rows(), (Ints{2, 2, 2, 2, 3})) << "one row for each material";
-    put(MaterialOverride::ColorRange{{0, 0, 250}, {10, 10, 255}}, 1); // 2, which is blue
+    put(MaterialOverride::ColorRange{{0, 0, 250}, {10, 10, 255}}, 1); // this is splat 2, which is blue
     EXPECT_EQ(rows(), (Ints{2, 2, 3, 2, 3}));
-    put(MaterialOverride::Row{1}, 0); // 1 and 4
+    put(MaterialOverride::Row{1}, 0); // these are 1 and 4
     EXPECT_EQ(rows(), (Ints{2, 1, 3, 2, 1}));
 }
 
@@ -296,7 +296,7 @@ TEST_F(ScenePaintTest, Filters_SelectSplats) {
 
 TEST(SplatSelection, CopiesOfNearSplatsLackTheHidden) {
     std::vector<std::uint32_t> near, listed, copy;
-    for (std::uint32_t k = 0; k < 300000; ++k) { // more than a task
+    for (std::uint32_t k = 0; k < 300000; ++k) { // more than one task handles
         near.insert(near.end(), {k + 1, ~k});
         listed.push_back(k * 7 % 130);
     }
@@ -316,7 +316,7 @@ TEST(SplatSelection, NearSplatsAreResized) {
             (words[0] & PRO_NEAR_RADIUS_HIGH_MASK) << PRO_NEAR_RADIUS_LOW_BITS | (words[1] & PRO_NEAR_RADIUS_LOW_MASK);
         return double{std::bit_cast<float>((code << PRO_NEAR_RADIUS_SHIFT) + PRO_NEAR_RADIUS_BIAS)};
     };
-    // two discs of different radii, a ball as small as codes go, and nothing
+    // two discs of different radii, a ball with the smallest radius that codes allow, and nothing
     const std::array<std::uint32_t, 8> before{0xABCDE402, 0x12345634, 0x00000001, 0x7F0000F0, 0, 1, 0, 0};
     std::array<std::uint32_t, 8> after = before;
     resizeNear(0.5f, after);
@@ -356,7 +356,7 @@ TEST_F(ScenePaintTest, GaussiansKeepTheirColours) {
 
 TEST_F(ScenePaintTest, ColouredScans_KeepTheirOverrides) {
     scene.materials.resize(1);
-    put(MaterialOverride::ColorRange{{0, 0, 250}, {10, 10, 255}}, 0); // by the colours of the file
+    put(MaterialOverride::ColorRange{{0, 0, 250}, {10, 10, 255}}, 0); // matches the colours of the file
     colorBy("intensity");
     EXPECT_EQ(rows(), (Ints{0, 1, 2, 0, 1}));
 }

@@ -47,10 +47,11 @@ using TileStepNumbers = std::vector<std::uint32_t>;
 
 TEST(TileStep, CoarseTiles_AreLoadedFirst) {
     TileLoadRequest request = requestOfFour();
-    EXPECT_FALSE(chooseNextCut(request)); // 160 MiB for all, 90 with a quarter of the memory, 20 with a sixteenth
+    // all tiles take 160 MiB; the cut for a quarter of the memory takes 90, and for a sixteenth 20
+    EXPECT_FALSE(chooseNextCut(request));
     EXPECT_EQ(request.sets[0].cut.tiles, (TileStepNumbers{1, 2}));
     for (const std::uint32_t tile : request.sets[0].cut.tiles) request.resident.insert(tilePath(request.sets[0], tile));
-    EXPECT_FALSE(chooseNextCut(request)); // the cut for a sixteenth is resident: on to a quarter
+    EXPECT_FALSE(chooseNextCut(request)); // the cut for a sixteenth is resident: a quarter is next
     EXPECT_EQ(request.sets[0].cut.tiles, (TileStepNumbers{2, 3, 4}));
     for (const std::uint32_t tile : request.sets[0].cut.tiles) request.resident.insert(tilePath(request.sets[0], tile));
     EXPECT_TRUE(chooseNextCut(request));

@@ -16,7 +16,7 @@
 
 namespace pointrt {
 
-/// Buffers at bindings 0, 1, 2, ..., as in probes.
+/// Buffers at bindings 0, 1, 2, ... as probes declare them.
 inline std::vector<BufferBinding> bindingsInOrder(std::initializer_list<const Buffer*> buffers) {
     std::vector<BufferBinding> bindings;
     for (const Buffer* buffer : buffers)
@@ -54,8 +54,8 @@ Buffer filledBuffer(Device& device, const std::vector<Row>& rows) {
                               VK_BUFFER_USAGE_STORAGE_BUFFER_BIT);
 }
 
-/// A program with storage buffers at bindings 0 and 1 to read and at 2 to write, a local size of 64 and a push block of
-/// four counts, of which the first is that of the results. Validation messages fail the test.
+/// A program with storage buffers at bindings 0 and 1 for input and at 2 for output, a local size of 64 and a push
+/// block of four counts, of which the first is the number of results. Validation messages fail the test.
 template <typename Answer, typename First, typename Second>
 std::vector<Answer> runProbe(std::span<const std::uint32_t> spirv, const std::vector<First>& first,
                              const std::vector<Second>& second, std::array<std::uint32_t, 4> counts) {

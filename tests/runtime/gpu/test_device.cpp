@@ -125,7 +125,7 @@ TEST_F(DeviceTest, UploadsAndDownloads) {
     destroyBuffer(device, buffer);
 }
 
-// Uploads as to a device with memory of its own, in more than one chunk.
+// Uploads as on devices with memory of their own, in more than one chunk.
 TEST_F(DeviceTest, UnmappedMemory_IsStaged) {
     device.unified_memory = false;
     const std::vector<std::uint32_t> words = countingWords((80u << 20) / 4);
@@ -251,7 +251,7 @@ TEST(Validation, CountsAMessage) {
     destroyDevice(device);
 }
 
-// Buffers share allocations, also those that come and go, and large ones have their own.
+// Buffers share allocations, even if they are created and destroyed in any order; large ones have their own.
 TEST_F(DeviceTest, Buffers_ShareAllocations) {
     const std::size_t before = device.memory_pool->size();
     std::vector<Buffer> buffers;
@@ -275,7 +275,7 @@ TEST_F(DeviceTest, Buffers_ShareAllocations) {
     destroyBuffer(device, buffers[0]);
 }
 
-// Uploads are not waited for: the data may change at once, and the buffer go.
+// Uploads do not wait: the data may change and the buffer may be destroyed at once.
 TEST_F(DeviceTest, Uploads_KeepTheirOrder) {
     device.unified_memory = false;
     Buffer buffer = createBuffer(device, "words", 40u << 20, kStorageBuffer);

@@ -70,7 +70,7 @@ std::vector<pro_splat> disorder() {
 struct PagedPicture {
     Film film;
     std::vector<PageCounts> pages; ///< of each file
-    bool uneven = false;           ///< the first one
+    bool uneven = false;           ///< of the first file
 };
 
 /// Owns a device with a scene.

@@ -45,7 +45,7 @@ TEST_F(ProgramStoreTest, UnusedPrograms_AreKeptUpToALimit) {
     const VkPipeline pipeline = used.pipeline;
     for (std::uint32_t factor = 1; factor <= ProgramStore::kUnusedKept; ++factor) buildAndGiveBack(factor);
     EXPECT_EQ(device.programs->size(), ProgramStore::kUnusedKept + 1);
-    buildAndGiveBack(1); // no longer the oldest: 2 is
+    buildAndGiveBack(1); // 2 is now the oldest
     buildAndGiveBack(ProgramStore::kUnusedKept + 1);
     EXPECT_EQ(device.programs->size(), ProgramStore::kUnusedKept + 1);
     Program again = build(0), kept = build(1);

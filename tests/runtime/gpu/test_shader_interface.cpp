@@ -82,7 +82,7 @@ TEST(ShaderInterface, SpecializationConstants_MatchTheirNames) {
     expectSame(namesIn("spec_constants.h", "SPEC_\\w+"), declaredByAll().constants);
 }
 
-/// Descriptors of a kind in the programs that render, at most.
+/// The largest number of descriptors of this type that a program for rendering declares.
 std::uint32_t mostDeclared(VkDescriptorType type) {
     std::uint32_t most = 0;
     for (const auto& entry : std::filesystem::recursive_directory_iterator(POINTRT_PROGRAMS)) {
@@ -98,7 +98,7 @@ std::uint32_t mostDeclared(VkDescriptorType type) {
     return most;
 }
 
-// A device that has fewer is refused before anything is built for it; one that has as many is not.
+// A device with fewer is rejected before anything is built for it; one with exactly as many is accepted.
 TEST(ShaderInterface, Descriptors_AreAsManyAsDevicesMustHave) {
     EXPECT_EQ(mostDeclared(VK_DESCRIPTOR_TYPE_STORAGE_TEXEL_BUFFER), kRenderDescriptors.storage_texel_buffers);
     EXPECT_EQ(mostDeclared(VK_DESCRIPTOR_TYPE_UNIFORM_TEXEL_BUFFER), kRenderDescriptors.uniform_texel_buffers);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Ranges of large blocks: what is taken does not overlap, comes back whole, and holds what was placed in it.
+// Ranges in large blocks: allocated ranges do not overlap, freed ranges are reused completely, and data stays in its
+// place.
 #include "runtime/gpu/texel_pool.h"
 
 #include <gtest/gtest.h>
@@ -43,7 +44,7 @@ std::vector<std::uint32_t> wordsFrom(std::uint32_t first, std::size_t count) {
 
 class TexelPoolOnDevice : public DeviceFixture {
 protected:
-    /// The words in the block at a buffer's place.
+    /// The words at a buffer's place in the block.
     std::vector<std::uint32_t> inBlock(const TexelRange& range, const Buffer& buffer) {
         const Buffer& block = range.block->words;
         std::vector<std::uint32_t> words(buffer.bytes / sizeof(std::uint32_t));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// TIFF files read back by the words of the specifications: TIFF 6.0 and GeoTIFF 1.1.
+// TIFF files parsed by the rules of the specifications: TIFF 6.0 and GeoTIFF 1.1.
 #include "runtime/image/image_tiff.h"
 
 #include <gtest/gtest.h>

@@ -48,7 +48,7 @@ TEST(Srgb, KnownValues) {
     EXPECT_EQ(encodeSrgb(1), 255);
     EXPECT_EQ(encodeSrgb(0.5f), 188);
     EXPECT_EQ(encodeSrgb(0.2158605f), 128); // ((128 / 255 + 0.055) / 1.055)^2.4
-    EXPECT_EQ(encodeSrgb(0.001f), 3);       // in the linear foot
+    EXPECT_EQ(encodeSrgb(0.001f), 3);       // in the linear part of the curve
 }
 
 TEST(Develop, WritesOpaquePicturesAsRgb) {

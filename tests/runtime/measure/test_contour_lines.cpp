@@ -81,7 +81,7 @@ TEST(ContourLines, NoneAtOtherLevels) {
     EXPECT_TRUE(contourLines(HeightRaster{1, 1, {2}}, 1).empty());
 }
 
-/// Each crossing is on one line, whatever the ground.
+/// Each crossing is on exactly one line, for any ground.
 TEST(ContourLines, RandomGroundIsComplete) {
     std::mt19937 random(7);
     for (int round = 0; round < 50; ++round) {
@@ -90,7 +90,7 @@ TEST(ContourLines, RandomGroundIsComplete) {
             return step == 7 ? std::nan("") : step;
         });
         std::size_t crossings = 0, points = 0;                           // of sides of squares with four heights
-        const auto inSquare = [&](std::size_t column, std::size_t row) { // lower left node of a square
+        const auto inSquare = [&](std::size_t column, std::size_t row) { // in a square, named by its lower left node
             if (column + 1 >= raster.columns || row + 1 >= raster.rows) return false;
             return !std::isnan(raster.at(column, row) + raster.at(column + 1, row) + raster.at(column, row + 1) +
                                raster.at(column + 1, row + 1));

@@ -98,7 +98,7 @@ TEST(SectionHits, AloneAreNoLine) {
     EXPECT_TRUE(linesOf({}).empty());
 }
 
-/// No point of a line that is left out lies farther from it than the tolerance.
+/// No point that is left out of a line lies farther from it than the tolerance.
 TEST(SimplifiedLines, KeepTheirTolerance) {
     std::mt19937 random(3);
     std::uniform_real_distribution<double> turn(-0.8, 0.8);

@@ -54,7 +54,7 @@ inline ReadArray readArray(const std::string& bytes) {
     return {header, bytes.substr(10 + size)};
 }
 
-/// CRC-32 of ISO 3309, bit by bit.
+/// CRC-32 as in ISO 3309, bit by bit.
 inline std::uint32_t checksumOf(const std::string& bytes) {
     std::uint32_t sum = ~0u;
     for (const char c : bytes) {

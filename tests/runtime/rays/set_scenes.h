@@ -15,7 +15,7 @@
 
 namespace pointrt::test {
 
-/// All arrays of hits.
+/// All arrays of hits, one element per ray.
 struct SceneHits {
     explicit SceneHits(std::size_t count)
         : t_hit(count), positions(3 * count), splat_ids(count), instance_ids(count), tile_ids(count),
@@ -59,7 +59,7 @@ inline std::vector<double> raysAround(Vec3 center, double half, std::size_t coun
     return rays;
 }
 
-/// With an attribute "number" that is unique for each point.
+/// A sphere whose points have a unique attribute "number".
 struct SphereInTiles {
     static constexpr double kRadius = 40;
     static constexpr std::size_t kSplats = 20000;

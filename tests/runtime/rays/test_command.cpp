@@ -163,7 +163,7 @@ TEST_F(CastCommand, MemoryDoesNotGrowWithTheRays) {
         const std::string report = text("stats.json");
         return std::stod(report.substr(report.find("\"peak_rss_bytes\": ") + 18));
     };
-    const double few = peak(22), many = peak(66); // two and six full blocks, and a partial one
+    const double few = peak(22), many = peak(66); // two and six full blocks plus a partial one
     EXPECT_LT(many, few + 16e6) << "44 million numbers more are 106 MB";
 }
 

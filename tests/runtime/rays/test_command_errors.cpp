@@ -49,7 +49,7 @@ TEST_F(CastCommand, ArraysOfOtherThanRaysAreRefused) {
 }
 
 TEST_F(CastCommand, InvalidRaysAreNamedByTheirRow) {
-    std::vector<double> rays(6 * 300000, 1.0); // the second chunk
+    std::vector<double> rays(6 * 300000, 1.0); // in the second chunk
     rays[6 * 299999 + 4] = std::numeric_limits<double>::quiet_NaN();
     folder.write("rays.npy", rayArray(rays));
     expectRefused(1, "rays.npy: ray 299999: *direction*finite", kCast + "rays.npy -o out.npz");
@@ -99,11 +99,11 @@ TEST_F(CastCommand, WrongUsageExitsWithTwo) {
     refused("hits.ply: --any *.npz", cast + "--any -o hits.ply");
     refused("rays.npy: *input", cast + "-o rays.npy");
     refused("plane.pro: *input", cast + "-o out.npz --stats plane.pro");
-    refused("--any *--attributes *exclude", cast + "-o out.npz --any --attributes intensity");
+    refused("--any *--attributes *combined", cast + "-o out.npz --any --attributes intensity");
     refused("--attributes: *intensity*none", cast + "-o out.npz --attributes intensity");
     refused("--attributes: t_hit *column", cast + "-o out.npz --attributes t_hit");
     refused("t_min *t_max", cast + "-o out.npz --t-min 3 --t-max 2");
-    refused("-q *-v *exclude", cast + "-o out.npz -q -v");
+    refused("-q *-v *combined", cast + "-o out.npz -q -v");
 }
 
 TEST_F(CastCommand, AMissingDeviceExitsWithThree) {

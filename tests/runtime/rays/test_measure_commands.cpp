@@ -187,7 +187,7 @@ TEST_F(MeasureCommand, AMovedCopyIsComparedToAMillimetre) {
     expectRefused(2, "two scans*1*", POINTRT_RAYS " compare plane.pro");
 }
 
-/// The copy is the scan with an attribute: nothing is baked again to see distances.
+/// The copy is the scan with an additional attribute: viewing distances needs no new bake.
 TEST_F(MeasureCommand, DistancesBecomeAnAttributeOfACopy) {
     writeScan(folder.file("before.pro"), planeSplats(50, 0.5f), {});
     folder.write("moved.toml", "[[instance]]\nfile = \"before.pro\"\ntranslate = [0.0, 0.0, 0.25]\n");
@@ -198,7 +198,7 @@ TEST_F(MeasureCommand, DistancesBecomeAnAttributeOfACopy) {
     const pro_attribute& distance = *copy.attribute("distance");
     for (std::size_t i = 0; i < copy.info().splat_count; ++i)
         ASSERT_NEAR(pro_attribute_value(&distance, i), 0.25, 1e-3) << i;
-    // again: the old distances are replaced
+    // once more: the old distances are replaced
     ASSERT_EQ(run(POINTRT_RAYS " compare before.pro out.pro -q -o again.pro").code, 0);
     const ProFile again(folder.file("again.pro"));
     EXPECT_EQ(again.attributes().size(), 1u);

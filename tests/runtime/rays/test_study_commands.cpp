@@ -97,7 +97,7 @@ TEST_F(StudyCommand, PointsOfAListGetResults) {
 }
 
 TEST_F(StudyCommand, PointsOfScanFilesKeepTheirColumns) {
-    // the scan's points as a file, with their discs: the same hours
+    // the scan's points and discs from a file give the same hours
     ASSERT_EQ(sun("plane.pro tower.pro" + kDay + "--every 60 -q -o own.ply").code, 0);
     ASSERT_EQ(sun("plane.pro tower.pro --points own.ply" + kDay + "--every 60 -q -o again.ply").code, 0);
     EXPECT_EQ(text("again.ply"), text("own.ply"));
@@ -145,7 +145,7 @@ TEST_F(StudyCommand, ResultsBecomeAttributesInTheOrderOfTheFile) {
     const std::vector<std::uint32_t> order = inputOrder(copy);
     for (std::size_t i = 0; i < order.size(); ++i)
         ASSERT_NEAR(pro_attribute_value(hours, order[i]), std::stod(rows[i + 1][7]), 1e-4) << i;
-    EXPECT_LT(hours->low, hours->high) << "they must differ to tell orders apart";
+    EXPECT_LT(hours->low, hours->high) << "they must differ to distinguish orders";
     expectRefused(2, "-o: *one scan*", POINTRT_RAYS " sun plane.pro tower.pro" + kDay + "--every 60 -o other.pro");
 }
 

@@ -96,8 +96,8 @@ protected:
         return film;
     }
 
-    /// Light is 0.2 on the left half and 0.8 on the right, with a variance so large that only guides, which edge sets
-    /// on the right, keep the halves apart.
+    /// Light is 0.2 on the left half and 0.8 on the right, with a variance so large that only edges in the guides, set
+    /// by `edge` on the right, keep the halves apart.
     void expectGuidesKeepHalvesApart(const std::function<void(Film&, std::size_t right_pixel)>& edge) {
         Film film = planeFilm(kSide, kSide);
         for (std::size_t i = 0; i < film.depth.size(); ++i) {
@@ -155,7 +155,7 @@ TEST_F(DenoiserTest, SpreadsBrightSamplesOverTheirSurface) {
     std::bernoulli_distribution is_bright(0.1);
     const float usual = 0.5f, bright = 8, samples = 8;
     for (std::size_t i = 0; i < noisy.depth.size(); ++i) {
-        const float spread = is_bright(random) ? bright - usual : 0.01f; // of one sample from the others
+        const float spread = is_bright(random) ? bright - usual : 0.01f; // deviation of one sample from the others
         setRgb(noisy, i, usual + spread / samples);
         noisy.variance[i] = spread * spread / (samples * samples); // (n - 1) / n spread^2 / n / (n - 1)
     }
@@ -164,7 +164,7 @@ TEST_F(DenoiserTest, SpreadsBrightSamplesOverTheirSurface) {
     EXPECT_NEAR(meanOf(result, everywhere) / mean, 1, 0.02);
     std::size_t specks = 0;
     for (std::size_t i = 0; i < result.depth.size(); ++i) specks += result.rgba[4 * i] > 1.5 * mean;
-    // Those whose 3x3 pixels are bright in their majority: 1 in 1,100 by the binomial distribution.
+    // Pixels whose 3x3 neighbourhood is mostly bright: 1 in 1,100 by the binomial distribution.
     EXPECT_LT(specks, result.depth.size() / 500);
 }
 
@@ -190,7 +190,7 @@ TEST_F(DenoiserTest, WorksWithoutGuides) {
     EXPECT_LT(4 * errorOf(denoised(noisy), truth), errorOf(noisy, truth));
 }
 
-// A floor whose far end is ten times as far: depth differs between rows as much as at edges.
+// A floor whose far end is ten times as far away: depths of adjacent rows differ as much as at edges.
 TEST_F(DenoiserTest, FollowsATiltedPlane) {
     Film facing = planeFilm(kSide, kSide);
     const Film truth = facing;
@@ -391,7 +391,7 @@ TEST_F(DenoiserTest, DoesNotDependOnTiles) {
     }
 }
 
-/// Of a panorama it does not matter which column is the first.
+/// In a panorama it does not matter which column is the first.
 TEST_F(DenoiserTest, ThePicturesEdgesMeetIfItWraps) {
     const PixelSize size{203, 71};
     constexpr std::uint32_t kTurn = 50;
@@ -415,7 +415,7 @@ TEST_F(DenoiserTest, ThePicturesEdgesMeetIfItWraps) {
     denoiseFilm(device, straight, true);
     denoiseFilm(device, cut);
     turn(expected.rgba, straight.rgba, 4);
-    const auto differ = [](const Film& a, const Film& b) { // some values are not numbers
+    const auto differ = [](const Film& a, const Film& b) { // some values are NaN
         return std::memcmp(a.rgba.data(), b.rgba.data(), a.rgba.size() * sizeof(float)) != 0;
     };
     EXPECT_FALSE(differ(turned, expected));
@@ -423,7 +423,7 @@ TEST_F(DenoiserTest, ThePicturesEdgesMeetIfItWraps) {
 }
 
 TEST_F(DenoiserTest, TilesFitTheBuffersOfAnyDevice) {
-    constexpr std::uint64_t kBytesBound = 1u << 27, kTexel = 16; // the least that Vulkan guarantees
+    constexpr std::uint64_t kBytesBound = 1u << 27, kTexel = 16; // the minimum that Vulkan guarantees
     for (const PixelSize size : {PixelSize{4000, 3000}, {16384, 16384}, {1, 16384}, {16384, 200}}) {
         const FilterTile tile = filterTileFor(size);
         EXPECT_LE(kTexel * tile.width * tile.rows, kBytesBound);
@@ -442,8 +442,7 @@ TEST_F(DenoiserTest, RefusesArraysOfAnotherSize) {
     EXPECT_THROW(denoiseFilm(device, film), std::logic_error);
 }
 
-/// A device buffer with a texel per pixel: the first three of the count values that it has in values, then its number
-/// in last.
+/// A device buffer with a texel per pixel: the first three of its `count` values, then the fourth in last.
 Buffer texelsOf(Device& device, const std::vector<float>& values, std::size_t count, const std::vector<float>& last) {
     std::vector<float> texels;
     for (std::size_t i = 0; i < last.size(); ++i) {

@@ -29,7 +29,7 @@ protected:
         request.settings.width = request.settings.height = kBatchesSide;
         request.settings.spp = kBatchesSamples;
         request.settings.integrator = Integrator::kPath;
-        request.settings.caustics = false; // those have one form
+        request.settings.caustics = false; // their maps have one form only
         request.form = GetParam();
         loaded = loadScene(device, device, request, {});
     }
@@ -43,7 +43,7 @@ protected:
         return renderer.takeFilm();
     }
 
-    /// The light of a sample: what it adds to a black film of the samples before.
+    /// The light of one sample: what it adds to a film of the earlier samples that is otherwise black.
     std::vector<double> lightOf(std::uint32_t sample) {
         Film black;
         allocateFilm(loaded->settings, black);
@@ -57,7 +57,7 @@ protected:
     std::unique_ptr<LoadedScene> loaded;
 };
 
-/// Largest difference in terms of the larger of the two, or of 1e-3.
+/// Largest relative difference, in terms of the larger of the two values, or of 1e-3.
 double relativeDifference(const std::vector<float>& a, const std::vector<float>& b) {
     double worst = a.size() == b.size() ? 0 : HUGE_VAL;
     for (std::size_t i = 0; i < std::min(a.size(), b.size()); ++i)
@@ -102,7 +102,7 @@ TEST_P(FilmBatches, GoOnFromAnyNumberOfSamples) {
     EXPECT_GT(relativeDifference(render(FILM_BATCH).rgba, whole.rgba), 1e-3) << "later batches count";
 }
 
-/// A film read back between two samples stays on the device.
+/// Reading a film between two samples does not change it on the device.
 TEST_P(FilmBatches, GoOnAfterTheyAreRead) {
     ProgressiveRenderer renderer(device, loaded->tracer);
     FrameJob job;
@@ -123,7 +123,7 @@ TEST_P(FilmBatches, GoOnAfterTheyAreRead) {
 
 INSTANTIATE_TEST_SUITE_P(Forms, FilmBatches, testing::Values(KernelForm::kWavefront, KernelForm::kMegakernel));
 
-/// A film of a batch takes the memory of one, and what it holds stays when it is extended.
+/// A film of one batch takes the memory of one, and keeps its content when it is extended.
 TEST(FilmRoom, IsExtendedWithItsSums) {
     ValidatedDevice validated;
     Device& device = validated.device;

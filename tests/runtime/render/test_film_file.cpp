@@ -154,7 +154,7 @@ TEST_F(FilmFile, InvalidFilmsAreRefusedWithAReason) {
     expectReason("directory");
 }
 
-/// A picture as another writer makes it: 16-bit floats, in one of tinyexr's compressions.
+/// A picture as another program writes it: 16-bit floats, with one of tinyexr's compressions.
 Bytes halfPicture(int compression, int width, int height, const std::vector<float>& red) {
     EXRHeader header;
     EXRImage image;

@@ -101,9 +101,9 @@ TEST_F(FilmResume, ContinuesAsIfItHadNeverStopped) {
         ASSERT_TRUE(half);
         EXPECT_EQ(mostSamples(*half), first);
         const Film film = refine(&*half, 64);
-        EXPECT_LT(difference(film.rgba, whole.rgba), 2e-6) << first; // a sum of floats, without 64 roundings
+        EXPECT_LT(difference(film.rgba, whole.rgba), 2e-6) << first; // a single sum of floats, without 64 roundings
         EXPECT_LT(difference(film.indirect, whole.indirect), 2e-6) << first;
-        EXPECT_LT(difference(film.variance, whole.variance), 1e-3) << first; // cancellation in a difference
+        EXPECT_LT(difference(film.variance, whole.variance), 1e-3) << first; // cancellation in differences
         EXPECT_EQ(film.depth, whole.depth);
         EXPECT_EQ(film.splat_id, whole.splat_id);
         EXPECT_EQ(film.material_id, whole.material_id);
@@ -115,7 +115,7 @@ TEST_F(FilmResume, ContinuesAsIfItHadNeverStopped) {
 TEST_F(FilmResume, ContinuesInItsKernelForm) {
     EXPECT_FALSE(formToResume(path())) << "there is no film";
     RenderSettings settings = testSettings();
-    settings.caustics = false; // they exist in one form only
+    settings.caustics = false; // their maps have one form only
     for (const KernelForm form : {KernelForm::kWavefront, KernelForm::kMegakernel}) {
         load(settings, form);
         const Film whole = refine(nullptr, 16);
@@ -134,7 +134,7 @@ TEST_F(FilmResume, TakesTheColoursFromTheLayers) {
     const RenderSettings settings = testSettings();
     Film film = refine(nullptr, 8);
     const std::vector<float> rgba = film.rgba;
-    for (std::size_t i = 0; i < film.rgba.size(); i += 4) film.rgba[i] = 0.5f; // as by a denoiser
+    for (std::size_t i = 0; i < film.rgba.size(); i += 4) film.rgba[i] = 0.5f; // as after a denoiser
     writeSavedFilm(path(), {film, 8, settings.seed, signature(settings)});
     EXPECT_LT(difference(filmToResume(path(), signature(settings), settings)->rgba, rgba), 1e-6);
 }

@@ -121,7 +121,7 @@ TEST(FrameSchedule, StopsAtTheNoiseLimit) {
     FakeTracer tracer;
     const FrameState state = tracer.run(job, blankFilm(1, 16), 16);
     EXPECT_GE(state.samples, 400u);
-    EXPECT_LE(state.samples, 402u); // the target but for rounding, and then one more step
+    EXPECT_LE(state.samples, 402u); // the target, apart from rounding, and one more step
     EXPECT_LE(*state.noise, 0.05);
     EXPECT_LE(tracer.looks, 9u) << "at 8, 16, ... 256 and the end";
 }
@@ -140,7 +140,7 @@ TEST(FrameSchedule, InterruptedFramesHaveSamplesEverywhere) {
     job.samples = 1000;
     job.interrupted = [&] { return tracer.now > 110; };
     const FrameState state = tracer.run(job, blankFilm(1, 10), 5);
-    EXPECT_EQ(state.samples, 8u); // 1, 2, 4, 8 in both bands take 8 of 10 seconds
+    EXPECT_EQ(state.samples, 8u); // 1, 2, 4 and 8 samples in both bands take 8 of 10 seconds
     EXPECT_EQ(tracer.traced[0], 13u) << "the current sample is finished";
     EXPECT_EQ(tracer.traced[5], 8u);
 }

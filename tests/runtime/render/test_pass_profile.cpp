@@ -41,7 +41,7 @@ protected:
     }
     void TearDown() override { destroyPassClock(device, profile.clock); }
 
-    /// Measures into target, unless that is null.
+    /// Measures into target, unless it is null.
     Film render(PassProfile* target) {
         loaded->tracer.profile = target;
         const Clock::time_point start = Clock::now();
@@ -117,7 +117,7 @@ TEST(PassProfile, CountsBytesByLanesAndEntries) {
     EXPECT_THROW(addRun(profile, {"unheard of", PassLanes::kOne, 0, {}, {}, 0, 0, {}}), std::logic_error);
 }
 
-// After the first bounce, megakernels of one bounce leave the film's direct layer alone.
+// After the first bounce, megakernels for one bounce do not touch the film's direct layer.
 TEST(PassProfile, CountsTheDirectLayerWhereLightMayBeDirect) {
     for (const std::uint32_t step : {0u, STEP_DIRECT}) {
         PassProfile profile;
@@ -125,7 +125,7 @@ TEST(PassProfile, CountsTheDirectLayerWhereLightMayBeDirect) {
         run.before.queued[0] = run.after.queued[0] = 100;
         run.step = step;
         addRun(profile, run);
-        // read: a word of the queue, the path, its hit; read and written: a layer of the film, or two
+        // read: a word of the queue, the path, its hit; read and written: one or two layers of the film
         EXPECT_EQ(profile.passes.front().bytes, 100u * (4 + 64 + 16 + (step ? 64 : 32)));
     }
 }

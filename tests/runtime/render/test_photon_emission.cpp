@@ -26,7 +26,7 @@ const PhotonTarget kBall{{1, -2, 3}, 0.75, 7};
 
 Vec3 vecOf(const gpu::vec3& v) { return {v.x, v.y, v.z}; }
 
-/// Expects what holds for photons of any light.
+/// Checks properties that photons of any light have.
 void expectValid(const std::vector<gpu::PathState>& paths, const PhotonTarget& target) {
     for (const gpu::PathState& path : paths) {
         const Vec3 direction = vecOf(path.direction), way = target.center - vecOf(path.origin);
@@ -73,7 +73,7 @@ double capOf(const PhotonTarget& target, Vec3 from) {
     return 1 - std::sqrt(1 - sine * sine);
 }
 
-/// The midpoint rule in n times n cells of the unit square.
+/// The midpoint rule with n times n cells of the unit square.
 double integral(int n, const std::function<double(double, double)>& f) {
     double sum = 0;
     for (int i = 0; i < n; ++i)
@@ -110,7 +110,7 @@ TEST(PhotonEmission, SpotLightsEmitTheirFlux) {
         });
     };
     const Vec3 aim = normalize(kBall.center - from);
-    // a cone around the ball, one inside its silhouette, one that it covers half of, one that starts inside it
+    // cones: around the ball, inside its silhouette, half covered by it, and starting inside it
     for (const SpotLight& light :
          {SpotLight{from, aim, 30, 25, kColor}, SpotLight{from, aim, 5, 3, kColor},
           SpotLight{from, normalize(aim + Vec3{0, 0.2, 0}), 10, 4, kColor}, SpotLight{{1.2, -2, 3}, aim, 8, 4, kColor}})
@@ -121,7 +121,7 @@ TEST(PhotonEmission, SpotLightsEmitTheirFlux) {
     EXPECT_EQ(emittedFlux(SpotLight{from, -1 * aim, 30, 25, kColor}, kBall), 0) << "turned away";
 }
 
-/// Area that two discs share whose centres are d apart.
+/// The area that two discs with centres d apart share.
 double sharedArea(double r, double s, double d) {
     if (d >= r + s) return 0;
     if (d <= std::abs(r - s)) return pi * std::min(r, s) * std::min(r, s);
@@ -145,7 +145,8 @@ TEST(PhotonEmission, SphereLightsEmitTheirFlux) {
     for (const SphereLight& light : {SphereLight{{4, 0, 1}, 0.5, kColor}, SphereLight{{2, -2, 3.8}, 0.5, kColor},
                                      SphereLight{{31, -2, 3}, 29, kColor}, SphereLight{{500, 0, 0}, 3, kColor}})
         expectFlux(light, kBall, 2 * linesBetween(light.radius, kBall.radius, length(light.center - kBall.center)));
-    // a lamp in the target sends it all of its light; a target in a lamp gets none, as lamps shine outwards
+    // a lamp inside the target gives it all of its light; a target inside a lamp gets none, because lamps shine
+    // outwards
     expectFlux(SphereLight{{1.1, -2, 3.1}, 0.2, kColor}, kBall, 2 * pi * 4 * pi * 0.2 * 0.2);
     EXPECT_EQ(emittedFlux(SphereLight{{1, -2, 3.5}, 2, kColor}, kBall), 0);
 }
@@ -171,7 +172,7 @@ TEST(PhotonEmission, QuadLightsEmitTheirFlux) {
                                  return overSphere(500,
                                                    [&](Vec3 d) { return dot(d, axis) > cosine ? std::abs(d.y) : 0.0; });
                              }));
-    // a lamp in the target
+    // a lamp inside the target
     const QuadLight inside{kBall.center, {0.3, 0, 0}, {0, 0.1, 0}, kColor};
     expectFlux(inside, kBall, 2 * area(inside) * 2 * pi);
 }
@@ -191,7 +192,7 @@ TEST(PhotonEmission, DiscLightsEmitTheirFlux) {
     // both sides shine
     const DiscLight below{{0.5, -6, 2}, {0, -1, 0}, 1.2, kColor}, turned{{0.5, -6, 2}, {0, 1, 0}, 1.2, kColor};
     EXPECT_NEAR(emittedFlux(below, kBall) / emittedFlux(turned, kBall), 1, 0.003);
-    // a lamp in the target
+    // a lamp inside the target
     const DiscLight inside{kBall.center, {0, 1, 0}, 0.2, kColor};
     expectFlux(inside, kBall, 2 * pi * 0.2 * 0.2 * 2 * pi);
 }
@@ -265,7 +266,7 @@ TEST(PhotonEmission, IsDeterministic) {
     EXPECT_NE(std::memcmp(&once[0].direction, &once[1].direction, sizeof(gpu::vec4)), 0);
 }
 
-/// The root mean square, over cells of equal solid angle, of the relative error of the number of photons in a cell.
+/// Root mean square of the relative error of the number of photons in a cell, over cells of equal solid angle.
 double unevenness(const std::vector<gpu::PathState>& paths, Vec3 from) {
     constexpr int kCells = 24;
     const Frame frame(normalize(kBall.center - from));
@@ -294,7 +295,7 @@ TEST(PhotonEmission, MapsArePartsOfOneEvenSequence) {
         all.insert(all.end(), paths.begin(), paths.end());
         if (map == 0) one = unevenness(paths, light.position);
     }
-    // sixteen independent maps would have a quarter of the unevenness of one, sixteen equal ones all of it
+    // sixteen independent maps are a quarter as uneven as one; sixteen equal ones would be as uneven
     std::printf("unevenness of one map %.5f, of sixteen %.5f\n", one, unevenness(all, light.position));
     EXPECT_LT(unevenness(all, light.position), one / 8);
     const auto at_once = emitPhotons(lights, {kBall}, kSceneSphere, 16 * kCount);

@@ -94,7 +94,7 @@ std::vector<gpu::Photon> floorPhotons(std::size_t count) {
     return photons;
 }
 
-/// In a cloud, all with this normal.
+/// Photons in a cloud, all with this normal.
 std::vector<gpu::Photon> cloudPhotons(std::size_t count, double size, Vec3 normal) {
     Random random(9);
     std::vector<gpu::Photon> photons;
@@ -107,7 +107,7 @@ std::vector<gpu::Photon> cloudPhotons(std::size_t count, double size, Vec3 norma
     return photons;
 }
 
-/// A third at photons, a third near them, a third anywhere.
+/// A third of the probes at photons, a third near them, a third anywhere.
 std::vector<Probe> probesAmong(const PhotonMap& map, std::size_t count, Vec3 normal, double size) {
     Random random(3);
     std::vector<Probe> probes;
@@ -191,12 +191,12 @@ TEST(PhotonMap, GatheringMatchesASearchInSharedBuckets) {
     expectAsSearched(map, probesAmong(map, 60, normal, 0.5));
 }
 
-/// The light gathered on a floor, summed over a fine grid of probes, relative to the flux of the photons.
+/// The light gathered on a floor, summed over a fine grid of probes, divided by the flux of the photons.
 double lightSpread(std::vector<gpu::Photon> photons, PhotonDiscs discs) {
     double flux = 0;
     for (const gpu::Photon& photon : photons) flux += photon.flux.y;
     const PhotonMap map = sortPhotons(std::move(photons), 40, discs);
-    // a probe for every half of the smallest radius
+    // probes are half of the smallest radius apart
     const double step = map.frame.levels[0].high.w / 2;
     std::vector<Probe> probes;
     const double half = 10 + map.frame.levels[PHOTON_LEVELS - 1].high.w;
@@ -246,7 +246,7 @@ TEST(PhotonMap, LightsOnlyTheSideOfItsNormal) {
     EXPECT_GT(answers[1].x, 0);
     EXPECT_EQ(answers[2].x, 0);
     EXPECT_EQ(answers[3].x, 0);
-    // photons of the other sheet of a wall
+    // photons on the other side of a wall
     const std::vector<gpu::vec4> beside =
         gatherAt(map, {{pack(at + Vec3{0, 1.1 * map.frame.levels[PHOTON_LEVELS - 1].high.w, 0}), {0, 1, 0, 0}}});
     EXPECT_EQ(beside[0].x, 0);

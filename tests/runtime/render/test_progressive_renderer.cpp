@@ -63,7 +63,7 @@ protected:
     std::unique_ptr<LoadedScene> loaded;
     RenderPlan plan;
     FrameJob job;
-    Film whole; ///< rendered as one band in one strip
+    Film whole; ///< rendered as one band and one strip
 };
 
 TEST_F(ProgressiveRendererTest, DoesNotDependOnBandsAndStrips) {
@@ -87,7 +87,7 @@ TEST_F(ProgressiveRendererTest, ReturnsToEarlierBands) {
 }
 
 TEST_F(ProgressiveRendererTest, DoesNotDependOnSteps) {
-    load(KernelForm::kWavefront); // the megakernel traces all bounces at once
+    load(KernelForm::kWavefront); // the megakernel would trace all bounces at once
     ProgressiveRenderer renderer(device, loaded->tracer);
     renderer.begin(plan, job);
     int steps = 0;
@@ -211,7 +211,7 @@ TEST_F(ProgressiveRendererTest, HasAnEmptyFilmIfNothingWasTraced) {
 
 TEST_F(ProgressiveRendererTest, StopsAtTheNoiseLimit) {
     job.samples = 1000;
-    job.limits.noise = 10; // any film has less
+    job.limits.noise = 10; // any film is less noisy
     plan.tiling = {16, 16};
     ProgressiveRenderer renderer(device, loaded->tracer);
     renderer.begin(plan, job);
@@ -244,7 +244,7 @@ TEST_F(ProgressiveRendererTest, PicksMatchTheFilm) {
     EXPECT_GT(found, 3);
 }
 
-/// Caustics of which samples 0 to 7 use the first photon map, 8 to 15 the second and 16 and 17 the third.
+/// Samples 0 to 7 use the first photon map for caustics, 8 to 15 the second, and 16 and 17 the third.
 class RendererWithPhotonMaps : public DeviceFixture {
 protected:
     static constexpr std::uint32_t kSpp = 18;
@@ -277,7 +277,7 @@ protected:
         return std::move(*film);
     }
 
-    /// In slices, as windows do. Returns also the number of slices that traced photons.
+    /// In slices, as windows render. Also returns the number of slices that traced photons.
     std::pair<Film, int> renderInSlices() {
         ProgressiveRenderer renderer(device, loaded->tracer);
         FrameJob job;
@@ -312,7 +312,7 @@ TEST_F(RendererWithPhotonMaps, DoesNotDependOnBandsSlicesAndResumes) {
     const Film pieces = renderInPieces({4, 8, 16, kSpp}); // numbers of samples whose means are exact
     EXPECT_EQ(pieces.samples, whole.samples);
     EXPECT_EQ(pieces.caustic, whole.caustic);
-    // later maps matter
+    // later maps make a difference
     EXPECT_GT(difference(render(8).caustic, whole.caustic), 1e-3);
 }
 

@@ -29,7 +29,7 @@ void expectOrthonormal(const Camera& camera) {
     expectNear(cross(camera.right, camera.up), camera.forward * -1, 1e-12);
 }
 
-/// The smallest signed distance of the sphere from the four sides of the view, 0 when it touches one from inside.
+/// The smallest signed distance of the sphere from the four sides of the view; 0 if it touches one from inside.
 double margin(const Camera& camera, double aspect, Vec3 centre, double radius) {
     const double tan_v = std::tan(camera.fov_deg / 2 * std::numbers::pi / 180), tan_h = tan_v * aspect;
     const Vec3 to = centre - camera.eye;
@@ -107,7 +107,7 @@ TEST(Camera, TakesAnUnnormalisedSlantedUp) {
 TEST(Camera, SurvivesDegenerateScenes) {
     expectOrthonormal(frameCamera({}, kMin, kMin, 1)); // one splat
     CameraRequest request;
-    request.eye = kCentre; // nowhere to look
+    request.eye = kCentre; // the eye is at the target
     expectNear(frameCamera(request, kMin, kMax, 1).forward, {0, 0, -1}, 1e-9);
 }
 

@@ -8,7 +8,7 @@
 namespace pointrt {
 namespace {
 
-/// At x, looking along y, z up.
+/// A camera at x that looks along y, with z up.
 Camera cameraAt(double x) { return {{x, 0, 0}, {1, 0, 0}, {0, 0, 1}, {0, 1, 0}, 40 + x, 0}; }
 
 void expectSamePlace(Vec3 a, Vec3 b) { EXPECT_LT(length(a - b), 1e-12); }

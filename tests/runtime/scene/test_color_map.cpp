@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Colours of maps, compared with those that their authors publish, and the numbers of legends.
+// Colours of maps, compared with those published by their authors, and the numbers of legends.
 #include "runtime/scene/color_map.h"
 
 #include <gtest/gtest.h>

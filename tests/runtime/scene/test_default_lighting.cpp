@@ -164,7 +164,7 @@ TEST(Studio, InOneOfManyRoomsTheLampIsUnderItsCeiling) {
 constexpr Background kOrange{{255, 128, 0}, false};
 constexpr bool kGaussians = true;
 
-/// scene with surroundings, seen from outside.
+/// The scene with surroundings as seen from outside.
 SceneDescription surrounded(SceneDescription scene, const RenderSettings& settings, bool only_gaussians) {
     scene.up = Vec3{0, 0, 1};
     Camera camera;
@@ -210,7 +210,7 @@ TEST(PlainBackground, LightsNoGaussianCaptures) {
         EXPECT_EQ(scene.sky->ambient, 0);
     }
     settings.lights = 2;
-    EXPECT_EQ(surrounded({}, settings, kGaussians).lights.size(), 2u) << "asked for";
+    EXPECT_EQ(surrounded({}, settings, kGaussians).lights.size(), 2u) << "requested";
     settings.lights.reset();
     settings.room = Room::kMatte;
     EXPECT_EQ(surrounded({}, settings, kGaussians).lights.size(), kRingLights) << "walls need some";

@@ -147,8 +147,8 @@ TEST(Framing, DropsSparseFringes) {
     expectFramed(scene.sample, kZ, 10.8);
 }
 
-/// Ground of a spinning lidar, whose share of points within a distance is the root of the distance's logarithm, from 1
-/// to 100 m. z is up.
+/// Ground seen by a spinning lidar, where the share of points within a distance is the root of the distance's
+/// logarithm, from 1 to 100 m. z is up.
 Scene lidarGround() {
     Scene scene;
     for (int i = 0; i < 8000; ++i) {
@@ -306,7 +306,7 @@ TEST(DefaultView, SitesFromThreeQuartersAbove) {
     EXPECT_FALSE(choice.eye);
 }
 
-/// Floor and walls of 9 x 7 x 3 without a ceiling, scanned from within; share: of each wall that is there.
+/// Floor and walls of 9 x 7 x 3 without a ceiling, scanned from inside. share: the part of each wall that is there.
 Scene walled(double share) {
     Scene scene;
     scene.addRectangle({0, 0, 0}, 9.0 * kX, 7.0 * kY, 2000);
@@ -341,8 +341,8 @@ TEST(DefaultView, RoomsFromInside) {
         }
 }
 
-/// Walls of a shell of 6 x 4.5 x height seen from one place at eye level, where points are the sparser and their discs
-/// the larger the farther away they are; or evenly. z is up.
+/// Walls of 6 x 4.5 x height, either scanned from one place at eye level, where more distant points are sparser and
+/// have larger discs, or evenly. z is up.
 Scene shell(double height, bool even) {
     Scene scene;
     scene.addRectangle({0, 0, 0}, 6.0 * kX, 4.5 * kY, 1500);
@@ -489,7 +489,7 @@ TEST(DefaultView, RangeImagesFromTheirScanner) {
     EXPECT_GT(fixed.camera.eye.value().z, 0.5) << "farther back, so that all of it is visible";
 }
 
-/// What a scanner at the origin sees ahead, along x: ground and a wall, with discs as wide as its rays are apart.
+/// What a scanner at the origin sees along x: ground and a wall, with discs as wide as the distance between its rays.
 Scene frameFromOrigin() {
     Scene scene;
     scene.addRectangle({3, -4, -1.5}, 17.0 * kX, 8.0 * kY, 3000);

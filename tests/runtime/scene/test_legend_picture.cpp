@@ -81,7 +81,7 @@ TEST(LegendPicture, IsCompositedWithStraightAlpha) {
 
 TEST(LegendPicture, DrawsTheGlyphsOfTheFont) {
     Legend legend;
-    legend.title = "I"; // a bar between two serifs in 6x13: rows 2 to 10, the bar in the third column
+    legend.title = "I"; // a bar between two serifs in the font 6x13: rows 2 to 10, the bar in the third column
     const OverlayBox drawn = drawLegend(legend, {100, 100});
     const auto is_white = [&](std::size_t x, std::size_t y) {
         return drawn.rgba[4 * (y * drawn.size.width + x)] == 255;

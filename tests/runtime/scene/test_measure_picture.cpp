@@ -16,7 +16,7 @@ using Pixels = std::vector<std::uint8_t>;
 constexpr PixelSize kMeasuredPicture{200, 100};
 const MeasureUnits kMetres{"m", 1000};
 
-/// Looks down the z axis from 10 units; a picture's half height is 10 units there.
+/// A camera that looks down the z axis from 10 units away; there, a picture's half height is 10 units.
 Camera camera() {
     Camera camera;
     camera.eye = {0, 0, 10};
@@ -34,7 +34,7 @@ void expectPlace(const Camera& camera, Vec3 point, double x, double y) {
     EXPECT_NEAR(place->y, y, 1e-9);
 }
 
-/// Of the measurements over a grey picture, all rows at once or in bands of this many.
+/// A picture of the measurements over grey, drawn all rows at once or in bands of this many.
 Pixels drawn(const std::vector<MeasureDescription>& measures, const Camera& camera, std::size_t rows = 100) {
     PictureOverlay overlay;
     addMeasures(measures, kMetres, camera, kMeasuredPicture, overlay);

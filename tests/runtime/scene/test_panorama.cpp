@@ -10,7 +10,7 @@ namespace {
 
 constexpr Vec3 kEye{10, -20, 3};
 
-/// Looks along +Y with +Z up, so that +X is on the right.
+/// A camera that looks along +Y with +Z up, so that +X is on the right.
 Camera northwards(double eyes_apart = 0) {
     Camera camera;
     camera.eye = kEye;
@@ -46,8 +46,8 @@ TEST(Panorama, ItsLeftAndRightEdgesMeetBehindTheEye) {
     expectRay(panoramaRay(northwards(), 0, 0.5), kEye, {0, -1, 0});
 }
 
-/// In the middle of either half eyes are as far apart as asked, at right angles to where they look; at the poles they
-/// meet.
+/// In the middle of either half the eyes are as far apart as requested, perpendicular to the view direction; at the
+/// poles they coincide.
 TEST(Panorama, InStereoTheEyesTurnWithTheHead) {
     const Camera camera = northwards(0.06);
     expectRay(panoramaRay(camera, 0.5, 0.25), kEye - Vec3{0.03, 0, 0}, {0, 1, 0});

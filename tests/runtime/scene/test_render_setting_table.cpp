@@ -36,7 +36,7 @@ const std::vector<std::string>& helpLines() {
     return lines;
 }
 
-/// The help of an option as one line.
+/// The help of an option, joined to one line.
 std::string helpOf(const std::string& option) {
     std::string help;
     for (const std::string& line : helpLines()) {
@@ -74,7 +74,7 @@ std::map<std::string, std::string> writtenDefaults() {
     return values;
 }
 
-/// All words that help must have for these limits: the numbers or the names.
+/// All words that help must contain for these limits: the numbers or the names.
 template <typename Limits>
 std::vector<std::string> limitWords(const Limits& limits) {
     return {limitsText(limits)};
@@ -92,8 +92,8 @@ TEST(RenderSettingTable, AgreesWithHelp) {
         EXPECT_FALSE(contains(help, "{")) << help;
         const auto standard = settingOf(RenderSettings{}, row.member);
         EXPECT_TRUE(contains(help, standard ? "(default " + valueText(row.limits, *standard) : "(default")) << help;
-        if (option == "--reflectivity") // its help names the meaning of both limits
-            EXPECT_TRUE(contains(help, "0 matte to 1 mirror") && limitsText(row.limits) == "0 to 1") << help;
+        if (option == "--reflectivity") // its help explains both limits
+            EXPECT_TRUE(contains(help, "0 (matte) to 1 (mirror)") && limitsText(row.limits) == "0 to 1") << help;
         else
             for (const std::string& word : limitWords(row.limits)) EXPECT_TRUE(contains(help, word)) << option << word;
     });

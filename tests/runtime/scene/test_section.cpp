@@ -44,7 +44,7 @@ TEST(Section, AFloorPlanIsSeenFromAboveWithNorthUp) {
     const Section ceiling = sectionOf("-z=1.2", kZAxis);
     EXPECT_EQ(ceiling.side, -1.0 * kZAxis);
     EXPECT_TRUE(keeps(ceiling, {9, 9, 1.3}));
-    EXPECT_EQ(sectionOf("y=1.2", kYAxis).side, kYAxis); // y is up: the same along y
+    EXPECT_EQ(sectionOf("y=1.2", kYAxis).side, kYAxis); // y is up: no difference along y
 }
 
 TEST(Section, TheOtherCoordinateGrowsToTheRight) {

@@ -48,7 +48,7 @@ TEST(Sun, AgreesWithErfaAllOverTheWorld) {
     expectSun(sunPosition(utc(2024, 6, 21, 6, 30), -54.8019, -68.303), -52.0729, 134.1547, 0.02);
 }
 
-// The same source: apparent less true height at 1013.25 hPa, 10 degrees Celsius, 0.55 micrometres.
+// From the same source: apparent minus true height at 1013.25 hPa, 10 degrees Celsius, 0.55 micrometres.
 TEST(Sun, IsRaisedByRefraction) {
     EXPECT_NEAR(refraction(10.5197), 0.0836, 0.005);
     EXPECT_NEAR(refraction(39.8723), 0.0194, 0.005);

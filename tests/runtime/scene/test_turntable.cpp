@@ -28,7 +28,7 @@ TEST(Turntable, RotatesCounterclockwiseAboutTheAxis) {
     request.target = Vec3{2, 1, -3};
     const Camera camera = frameCamera(request, {}, {1, 1, 1}, 1);
     const Camera quarter = turntableCamera(camera, {*request.target, {0, 1, 0}}, 1, 4);
-    expectNear(quarter.eye, {6, 5, -3}); // from +Z over +X, as seen from +Y
+    expectNear(quarter.eye, {6, 5, -3}); // rotating from +Z towards +X, as seen from +Y
     expectNear(quarter.forward, normalize(*request.target - quarter.eye));
     expectNear(quarter.right, {0, 0, -1});
     expectNear(cross(quarter.right, quarter.forward), quarter.up);

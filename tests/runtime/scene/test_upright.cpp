@@ -16,7 +16,7 @@ constexpr Vec3 kUprightX{1, 0, 0}, kYUp{0, 1, 0}, kZUp{0, 0, 1};
 
 void expectUpNear(Vec3 a, Vec3 b) { EXPECT_LT(length(a - b), 1e-12) << a.x << " " << a.y << " " << a.z; }
 
-/// A scene and its cameras after resolveUp.
+/// A scene and its cameras after resolveUp has been applied.
 struct Stood {
     SceneDescription scene;
     CameraRequest camera, staging;
@@ -110,7 +110,7 @@ TEST(Upright, FrontsAreLevel) {
     expectUpNear(frontSide(kYUp), kZUp);
     expectUpNear(frontSide(2 * kUprightX), kZUp);
     expectUpNear(frontSide(-3.0 * kZUp), {0, -1, 0});
-    expectUpNear(frontSide({0, -2, 0}), -1.0 * kZUp); // a camera's frame: y points down, and it looks along z
+    expectUpNear(frontSide({0, -2, 0}), -1.0 * kZUp); // a camera's frame: y points down, and the camera looks along z
     for (const Vec3 up : {Vec3{1, 2, 3}, Vec3{0, 1e-9, 1e-9}, Vec3{0, 1, 1e300}, Vec3{0.6, 0.64, 0.48}}) {
         const Vec3 front = frontSide(up);
         EXPECT_NEAR(length(front), 1, 1e-12);

@@ -30,7 +30,7 @@ protected:
         return parse(text + "\n[[instance]]\nfile='statue.pro'\n");
     }
 
-    /// The message of the error, without the folder; "" where there was none.
+    /// The message of the error without the folder; "" if there is no error.
     std::string refusal(const std::string& text) const {
         try {
             parse(text);

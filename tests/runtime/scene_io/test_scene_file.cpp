@@ -96,7 +96,7 @@ TEST_F(SceneFile, PlacesInstances) {
         parse("[[instance]]\nfile = 'statue.pro'\ntranslate = [10, 20, 30]\nscale = 2\n"
               "rotate = [{axis = [0, 0, 5], degrees = 90}, {axis = [1, 0, 0], degrees = 90}]\n"
               "[[instance]]\nfile = 'dragon.pro'\nrotate = {axis = [0, 1, 0], degrees = 90}");
-    // x turns to y about z, then to z about x
+    // x becomes y by the rotation about z, then z by the one about x
     expectReadVector(apply(scene.instances[0].placement, {1, 0, 0}), 10, 20, 32);
     expectReadVector(apply(scene.instances[0].placement, {0, 1, 0}), 8, 20, 30);
     expectReadVector(apply(scene.instances[0].placement, {0, 0, 1}), 10, 18, 30);

@@ -105,7 +105,8 @@ TEST_F(SceneFile, RefusesNumbersOutOfRange) {
     for (const char* text : {"true", "'all'"})
         EXPECT_SAYS(refusal(std::string("[camera]\northo = ") + text),
                     "scene.toml:2: key \"camera.ortho\": *height*\"fit\"");
-    EXPECT_SAYS(refusal("[camera]\nfov = 30\northo = 2"), "scene.toml:3: key \"camera.ortho\": excludes \"fov\"");
+    EXPECT_SAYS(refusal("[camera]\nfov = 30\northo = 2"),
+                "scene.toml:3: key \"camera.ortho\": cannot be combined with \"fov\"");
     EXPECT_SAYS(refusal("[camera]\neye = [0, inf, 0]"), "scene.toml:2: key \"camera.eye[1]\": *inf*-1e+12 *1e+12");
     EXPECT_SAYS(refusal("[render]\nbounces = -1"), "scene.toml:2: key \"render.bounces\": *integer*0 *64");
     EXPECT_SAYS(refusal("[render]\nsize = [16385, 1]"), "scene.toml:2: key \"render.size[0]\": *integer*1 *16384");
@@ -135,7 +136,7 @@ TEST_F(SceneFile, RefusesBrokenGeometry) {
     EXPECT_SAYS(refusal("[[shape]]\ntype = 'box'\nmin = [0, 0, 0]\nmax = [1, 0, 1]"),
                 "scene.toml:4: key \"shape[0].max\": *above \"min\"");
     EXPECT_EQ(refusal("[[shape]]\ntype = 'box'\ncenter = [0, 0, 0]\nsize = [1, 1, 1]\nmax = [1, 0, 1]"),
-              "scene.toml:5: key \"shape[0].max\": excludes \"center\"");
+              "scene.toml:5: key \"shape[0].max\": cannot be combined with \"center\"");
     EXPECT_SAYS(refusal("[[shape]]\ntype = 'box'\nsize = [1, 1, 1]"),
                 "scene.toml:3: key \"shape[0].size\": *effect*\"center\"");
     EXPECT_SAYS(refusal("[[light]]\ntype = 'spot'\nposition = [1, 0, 0]\ntarget = [1, 0, 0]"),
@@ -148,7 +149,7 @@ TEST_F(SceneFile, RefusesInvalidMaterials) {
     const std::string glass = "[material.a]\nkind = 'glass'\n";
     EXPECT_SAYS(refusal(glass + "tint = [1, 1, 0]"), "scene.toml:3: key \"material.a.tint\": *above 0");
     EXPECT_EQ(refusal(glass + "tint = [1, 1, 1]\nabsorption = [1, 1, 1]"),
-              "scene.toml:4: key \"material.a.absorption\": excludes \"tint\"");
+              "scene.toml:4: key \"material.a.absorption\": cannot be combined with \"tint\"");
     EXPECT_SAYS(refusal(glass + "tint_distance = 1"),
                 "scene.toml:3: key \"material.a.tint_distance\": *effect*\"tint\"");
     EXPECT_SAYS(refusal(glass + "thin = true\nabsorption = [1, 1, 1]"),
@@ -160,7 +161,7 @@ TEST_F(SceneFile, RefusesInvalidMaterials) {
     EXPECT_SAYS(refusal(instance),
                 "scene.toml:4: key \"instance[0].override[0]\": \"row\", \"colors\" *\"attribute\" *missing");
     EXPECT_EQ(refusal(instance + "row = 1\ncolors = []"),
-              "scene.toml:7: key \"instance[0].override[0].colors\": excludes \"row\"");
+              "scene.toml:7: key \"instance[0].override[0].colors\": cannot be combined with \"row\"");
     EXPECT_SAYS(refusal(instance + "colors = ['#000001', '#ffff00']"),
                 "scene.toml:6: key \"instance[0].override[0].colors\": *range");
 }
@@ -169,7 +170,7 @@ TEST_F(SceneFile, RefusesInvalidAttributeOverrides) {
     const std::string over = "[material.a]\n[[instance]]\nfile = 'statue.pro'\n[[instance.override]]\nmaterial = 'a'\n";
     const std::string place = "scene.toml:6: key \"instance[0].override[0].", by_class = over + "attribute = 'class'\n";
     EXPECT_SAYS(refusal(over + "values = [1]"), place + "values\": *effect*\"attribute\"");
-    EXPECT_EQ(refusal(over + "row = 1\nattribute = 'class'"), place + "row\": excludes \"attribute\"");
+    EXPECT_EQ(refusal(over + "row = 1\nattribute = 'class'"), place + "row\": cannot be combined with \"attribute\"");
     EXPECT_SAYS(refusal(by_class), "scene.toml:4: key \"instance[0].override[0]\": \"values\" *\"range\" *missing");
     const std::string next = "scene.toml:7: key \"instance[0].override[0].";
     EXPECT_SAYS(refusal(by_class + "values = []"), next + "values\": *list");
@@ -186,7 +187,7 @@ TEST_F(SceneFile, RefusesInvalidLights) {
     const std::string point = "[[light]]\ntype = 'point'\nposition = [0, 0, 0]\n", sun = "[[light]]\ntype = 'sun'\n";
     EXPECT_SAYS(refusal(point), "scene.toml:1: key \"light[0]\": \"intensity\" *\"power\" *missing");
     EXPECT_EQ(refusal(point + "power = 1\nintensity = 1"),
-              "scene.toml:4: key \"light[0].power\": excludes \"intensity\"");
+              "scene.toml:4: key \"light[0].power\": cannot be combined with \"intensity\"");
     EXPECT_SAYS(refusal(point + "intensity = [1, 1, 1]\ncolor = [1, 1, 1]"),
                 "scene.toml:5: key \"light[0].color\": \"intensity\" *colour");
     EXPECT_SAYS(refusal(sun), "scene.toml:1: key \"light[0]\": \"towards\" *\"time\" *missing");
@@ -197,7 +198,7 @@ TEST_F(SceneFile, RefusesInvalidLights) {
     for (const char* time : {"2026-06-21", "12:00:00", "2026-06-21T12:00:00", "'noon'", "7"})
         EXPECT_SAYS(refusal(zero + "time = " + time), wants_offset);
     EXPECT_SAYS(refusal(zero + "time = 1899-06-21T12:00:00Z"), "scene.toml:6: key \"light[0].time\": *1900 *2100");
-    // Midnight on the equator at the solstice: 90 less the ecliptic's 23.44 degrees.
+    // Midnight on the equator at the solstice: 90 degrees minus the ecliptic's 23.44.
     EXPECT_SAYS(refusal(zero + "time = 2024-06-21T00:00:00Z"), "scene.toml:6: key \"light[0].time\": *66.6 *below");
     EXPECT_SAYS(refusal("up = [0, 1, 0]\n" + zero + "time = 2024-03-20T12:00:00Z\nnorth = [0, 1, 0]"),
                 "scene.toml:8: key \"light[0].north\": *along*\"up\"");
@@ -215,7 +216,7 @@ TEST_F(SceneFile, RefusesMissingFiles) {
                 "scene.toml:2: key \"instance[0].file\": *control");
     EXPECT_SAYS(refusal("[sky]\nimage = 'statue.pro'"), "scene.toml:2: key \"sky.image\": *.hdr *.exr");
     EXPECT_EQ(refusal("[sky]\nimage = 'sky.hdr'\ncolor = [1, 1, 1]"),
-              "scene.toml:3: key \"sky.color\": excludes \"image\"");
+              "scene.toml:3: key \"sky.color\": cannot be combined with \"image\"");
     EXPECT_SAYS(refusal("[sky]\nrotation = 1"), "scene.toml:2: key \"sky.rotation\": *effect*\"image\"");
     EXPECT_SAYS(refusal(""), "scene.toml:1: *[[instance]] *[[shape]]");
     EXPECT_EQ(parse("[[instance]]\nfile = '" + path("statue.pro") + "'").instances[0].path, path("statue.pro"));
@@ -360,7 +361,7 @@ TEST_F(SceneFile, RefusesMatricesOtherThanRotations) {
     EXPECT_NE(rotated("[[1, 0, 0], [0.6, 0.8, 0], [0, 0, 1]]").find("perpendicular"), std::string::npos);
     EXPECT_NE(rotated("[[1, 0, 0], [0, 1, 0], [0, 0, -1]]").find("right-handed"), std::string::npos);
     EXPECT_NE(rotated("[[1, 0, 0], [0, 1, 0]]").find("3 vectors"), std::string::npos);
-    EXPECT_NE(rotated("[[1, 0, 0], [0, 1, 0], [0, 0, 1]], degrees=1").find("excludes"), std::string::npos);
+    EXPECT_NE(rotated("[[1, 0, 0], [0, 1, 0], [0, 0, 1]], degrees=1").find("cannot be combined"), std::string::npos);
 }
 
 TEST_F(SceneFile, RefusesAxesThatDoNotFitTheShape) {
@@ -372,7 +373,8 @@ TEST_F(SceneFile, RefusesAxesThatDoNotFitTheShape) {
     EXPECT_NE(shape("quad", "[[1, 0, 0], [0, 3, 0], [0, 0, 2]]").find("length"), std::string::npos);
     EXPECT_NE(shape("disc", "[[1, 0, 0], [0, 3, 0], [0, 0, 1]]").find("first two"), std::string::npos);
     EXPECT_NE(shape("sphere", "[[2, 0, 0], [0, 2, 0], [0, 0, 1]]").find("the radius"), std::string::npos);
-    EXPECT_NE(shape("sphere", "[[2, 0, 0], [0, 2, 0], [0, 0, 2]]\nradius=2").find("excludes"), std::string::npos);
+    EXPECT_NE(shape("sphere", "[[2, 0, 0], [0, 2, 0], [0, 0, 2]]\nradius=2").find("cannot be combined"),
+              std::string::npos);
     EXPECT_NE(refusal("[[shape]]\ntype='plane'\npoint=[0, 0, 0]\nnormal=[0, 1, 0]\ncenter=[0, 0, 0]").find("center"),
               std::string::npos);
 }

@@ -46,7 +46,7 @@ public:
 private:
     std::uint32_t below(std::uint32_t end) { return static_cast<std::uint32_t>(random_() % end); }
     bool chance() { return below(2) == 1; }
-    /// From 0 to 1, with all digits or with few.
+    /// A number from 0 to 1, with all digits or with few.
     double share() { return below(4) == 0 ? below(5) / 4.0 : std::generate_canonical<double, 53>(random_); }
     double length() { return (share() + 1e-3) * std::pow(10.0, below(9) - 4.0); }
     double coordinate() { return (chance() ? 1 : -1) * (below(5) == 0 ? 0.0 : length()); }
@@ -247,7 +247,7 @@ private:
     std::uint32_t named_ = 0; ///< number of materials with a name; the next one is for shapes without a material
 };
 
-/// Without the places in files where it was read.
+/// The scene without its places in files.
 SceneDescription withoutPlaces(SceneDescription scene) {
     scene.path.clear();
     for (InstanceDescription& instance : scene.instances)
@@ -363,7 +363,7 @@ TEST_F(SceneWrite, LeavesNoFileOnFailure) {
     EXPECT_FALSE(std::filesystem::exists(path("bad.toml")));
 }
 
-/// All that determines a picture: the scene with its surroundings, settings and camera.
+/// Everything that determines a picture: the scene with its surroundings, the settings and the camera.
 struct Picture {
     SceneDescription scene;
     RenderSettings settings;
@@ -397,7 +397,7 @@ void expectSame(const Picture& a, const Picture& b) {
     EXPECT_EQ(a.settings.reflectivity, b.settings.reflectivity);
 }
 
-/// Surroundings belong to a run's first camera, which has moved since.
+/// Surroundings are those for a run's first camera, which has moved since.
 TEST_F(SceneWrite, ASavedRunShowsTheSamePicture) {
     std::vector<Options> runs(5);
     runs[1].choices.room = Room::kMirror;

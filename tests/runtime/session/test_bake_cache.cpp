@@ -33,13 +33,13 @@ std::string refusalOf(const std::function<void()>& body) {
 }
 
 struct BakeCache : testing::Test {
-    /// Runs body, then copies a .pro to the output. Each run adds a line with its arguments to the log.
+    /// A script that runs body, then copies a .pro to the output. Each run adds a line with its arguments to the log.
     std::string baker(const std::string& body = "") const {
         const std::string path = folder.write("pointrt-bake", "#!/bin/sh\necho \"$*\" >> \"$0.log\"\n" + body +
                                                                   "\ncp \"$0.pro\" \"$5.tmp-$$\" && "
                                                                   "mv \"$5.tmp-$$\" \"$5\"\n");
         fs::permissions(path, fs::perms::owner_all);
-        fs::last_write_time(path, fs::file_time_type{}); // of one version, whatever it does
+        fs::last_write_time(path, fs::file_time_type{}); // so that all versions look the same, whatever they do
         test::tinyScene().write(path + ".pro");
         return path;
     }
@@ -155,7 +155,7 @@ TEST_F(BakeCache, KeepsTheLatestBakesThatFit) {
     std::vector<std::string> paths;
     for (const char* option : {"-1", "-2", "-3"}) {
         paths.push_back(bake({{scan}, {option}}, tool));
-        std::this_thread::sleep_for(5ms); // times of files have to differ
+        std::this_thread::sleep_for(5ms); // file times must differ
     }
     EXPECT_FALSE(fs::exists(paths[0]));
     EXPECT_TRUE(fs::exists(paths[1]) && fs::exists(paths[2]));

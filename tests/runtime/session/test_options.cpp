@@ -21,7 +21,7 @@ Options parse(Arguments arguments) {
     return options;
 }
 
-/// The message of a usage error, "" where there was none.
+/// The message of a usage error; "" if there is no error.
 std::string refusal(Arguments arguments) {
     arguments.insert(arguments.begin(), {"pointrt-view", "a.pro", "-o", "a.png"});
     Options options;
@@ -149,14 +149,15 @@ TEST(Options, TakesParallelProjection) {
     EXPECT_EQ(height.ortho_height, 2.5);
     const CameraRequest fit = parse({"a.pro", "-o", "a.png", "--ortho", "fit"}).camera;
     EXPECT_TRUE(fit.ortho && !fit.ortho_height);
-    EXPECT_SAYS(refusal({"--ortho", "2", "--fov", "30"}), "--fov *--ortho *exclude");
+    EXPECT_SAYS(refusal({"--ortho", "2", "--fov", "30"}), "--fov *--ortho *combined");
 }
 
 TEST(Options, APlanSetsItsCameraItself) {
     EXPECT_EQ(parse({"a.pro", "-o", "a.tif", "--plan", "0.25"}).plan, 0.25);
     EXPECT_TRUE(writesToneMapped(parse({"a.pro", "-o", "a.tif"})));
-    EXPECT_SAYS(refusal({"--plan", "1", "--view", "top"}), "--plan and --view exclude*");
-    EXPECT_SAYS(refusal({"--plan", "1", "--target", "1,2,3"}), "--plan and --target without --size exclude*");
+    EXPECT_SAYS(refusal({"--plan", "1", "--view", "top"}), "--plan and --view cannot be combined*");
+    EXPECT_SAYS(refusal({"--plan", "1", "--target", "1,2,3"}),
+                "--plan and --target without --size cannot be combined*");
     EXPECT_SAYS(refusal({"--plan", "0"}), "--plan: *0*");
     EXPECT_NO_THROW(parse({"a.pro", "-o", "a.png", "--plan", "1", "--target", "1,2,3", "--size", "8x8"}));
     EXPECT_THROW(parse({"a.pro", "-o", "a.exr", "--plan", "1"}), Error);
@@ -238,8 +239,8 @@ TEST(Options, TakesATurntableWithAPattern) {
     EXPECT_NE(refusal({"-o", "%d.png"}), "");
     for (const char* text : {"0", "100001", "-1", "x"})
         EXPECT_TRUE(contains(refusal({"-o", "%d.png", "--turntable", text}), "--turntable: ")) << text;
-    EXPECT_SAYS(refusal({"-o", "%d.exr", "--turntable", "3", "--resume"}), "--turntable *--resume *exclude");
-    EXPECT_SAYS(refusal({"-o", "%d.png", "--turntable", "3", "--bench", "1"}), "--turntable *--bench *exclude");
+    EXPECT_SAYS(refusal({"-o", "%d.exr", "--turntable", "3", "--resume"}), "--turntable *--resume *combined");
+    EXPECT_SAYS(refusal({"-o", "%d.png", "--turntable", "3", "--bench", "1"}), "--turntable *--bench *combined");
 }
 
 TEST(Options, ListsDevicesWithoutAScene) {

@@ -14,7 +14,7 @@
 namespace pointrt {
 namespace {
 
-/// Of a plane whose splats' centres span 15.36 to 112.64 m of a cube at (500000, 4500000, 100).
+/// A plane with splat centres from 15.36 to 112.64 m in a cube at (500000, 4500000, 100).
 class PlanView : public testing::Test {
 protected:
     PlanView() {
@@ -84,7 +84,7 @@ TEST_F(PlanView, RefusesWhatIsNoPlan) {
     EXPECT_NE(refusal().find("no scan"), std::string::npos);
 }
 
-/// Beside the plane of 97.28 m another one of half the size, turned a quarter to the left about the origin of the map.
+/// A plane of 97.28 m, and beside it one of half the size, turned a quarter to the left about the origin of the map.
 TEST_F(PlanView, CoversAllVisibleScansOfAScene) {
     folder.write("scene.toml", "[[instance]]\nfile = \"plane.pro\"\n"
                                "[[instance]]\nfile = \"plane.pro\"\nscale = 0.5\n"

@@ -66,7 +66,7 @@ TEST(Report, ReportsTheMedian) {
 TEST(Report, WritesNullForNonFiniteNumbers) {
     Report report = testReport();
     report.noise = std::numeric_limits<double>::infinity(); // one sample a pixel
-    report.rays = {};                                       // a film that was complete
+    report.rays = {};                                       // as for a film that was complete already
     report.frame_ms = {0};
     const nlohmann::json json = nlohmann::json::parse(reportJson(report));
     EXPECT_TRUE(json["noise"].is_null());
@@ -92,7 +92,7 @@ TEST(ProfileReport, ReportsUnaccountedTime) {
     EXPECT_EQ(profile["frames_ms"], 100);
     EXPECT_EQ(profile["passes"][0], (nlohmann::json{{"pass", "trace"},
                                                     {"runs", 4},
-                                                    {"device_ms", nullptr}, // it has no clock here
+                                                    {"device_ms", nullptr}, // no device clock here
                                                     {"host_ms", 8},
                                                     {"cpu_ms", 15},
                                                     {"lanes_in", 2000},

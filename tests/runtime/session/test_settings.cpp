@@ -72,7 +72,7 @@ TEST(Settings, ColourSettingsComeFromTheSceneFileToo) {
     EXPECT_EQ(settings.reflectivity, 0);
 }
 
-/// The message of a usage error, "" where there was none.
+/// The message of a usage error; "" if there is no error.
 std::string refusalOf(const Options& options, const SceneDescription& scene) {
     try {
         resolveSettings(options, scene);

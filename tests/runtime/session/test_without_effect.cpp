@@ -8,7 +8,7 @@ namespace {
 
 using Lines = std::vector<std::string>;
 
-/// The option that each line begins with.
+/// The options with which the lines begin.
 Lines named(const Options& options, const SceneTraits& scene) {
     Lines names;
     for (const std::string& line : optionsWithoutEffect(options, scene))

@@ -16,7 +16,7 @@
 
 namespace pointrt::test {
 
-/// A level rectangle or wall: a grid of points along two edges from corner, half a spacing inside.
+/// A level rectangle or a wall: a grid of points along two edges from corner, starting half a spacing inside.
 struct Sheet {
     std::array<double, 3> corner, along, across; ///< cube units; the edges lie along axes
     std::array<float, 3> normal;
@@ -37,7 +37,7 @@ inline void addSheet(std::vector<pro_splat>& splats, const Sheet& sheet, double 
         }
 }
 
-/// Four walls and a roof above the ground at low.
+/// Four walls and a roof above ground at height low.
 inline void addBox(std::vector<pro_splat>& splats, std::array<double, 3> low, std::array<double, 3> size,
                    double spacing, double radius) {
     const auto [x, y, z] = low;

@@ -8,7 +8,7 @@ namespace {
 
 class Distances : public Study {
 protected:
-    /// A scan of the splats, moved along z by a distance in metres.
+    /// A scan of the splats, moved along z by this distance in metres.
     std::string moved(const std::string& name, const std::vector<pro_splat>& splats, double distance) {
         GridPlace place;
         place.origin[2] += distance;
@@ -40,7 +40,7 @@ TEST_F(Distances, ABallMovedUpIsOutsideAboveAndInsideBelow) {
     const ScanPoints points = scanPoints(after);
     for (std::size_t i = 0; i < distances.size(); ++i) {
         const double cosine = static_cast<double>(points.normals[3 * i + 2]);
-        // along the normal, to first order; to second order 0.5^2 / 64 = 4 mm; discs of 0.96 m are 14 mm off at rims
+        // the shift along the normal, plus 0.5^2 / 64 = 4 mm of second order; rims of discs of 0.96 m are 14 mm off
         ASSERT_NEAR(distances[i], 0.5 * cosine, 0.02) << i;
     }
 }

@@ -65,7 +65,7 @@ TEST_F(GridFrame, PlacesFarFromTheGridAreRefused) {
     EXPECT_TRUE(isRefused(test::kUtm33, {17, 45}));   // longitude first
     EXPECT_TRUE(isRefused("EPSG:2056", {8.5, 47.4})); // longitude first
     EXPECT_FALSE(isRefused("EPSG:32633", {45, 9}));   // half a zone to the west
-    EXPECT_FALSE(isRefused("EPSG:32601", {65, 179})); // the same beyond the antimeridian
+    EXPECT_FALSE(isRefused("EPSG:32601", {65, 179})); // the same across the antimeridian
     EXPECT_FALSE(isRefused("EPSG:3857", {-80, 180}));
     EXPECT_TRUE(isRefused("EPSG:3413", {-60, 10})); // Arctic
 }
@@ -85,7 +85,7 @@ TEST_F(Frame, WithoutASystemNorthIsThatOfSceneFiles) {
 }
 
 TEST_F(Frame, WithoutProjNorthMustBeGiven) {
-    if (isProjInstalled()) return; // GridFrame tests this
+    if (isProjInstalled()) return; // GridFrame tests this case
     try {
         studyFrame(file("EPSG:2056"), {47, 8});
         FAIL();

@@ -116,7 +116,8 @@ TEST_F(LidarFiles, OtherPatternsAndPosesAreRead) {
 TEST_F(LidarFiles, InvalidPatternsAreNamedByTheirLine) {
     const std::string tables = "spinning, flash, oscillating, table";
     EXPECT_SAYS(refusal(kRange), "sensor.toml:1: *pattern*" + tables);
-    EXPECT_SAYS(refusal(kRange + kFlash + "[table]\n"), "sensor.toml:7: key \"table\": excludes [flash]");
+    EXPECT_SAYS(refusal(kRange + kFlash + "[table]\n"),
+                "sensor.toml:7: key \"table\": cannot be combined with [flash]");
     EXPECT_SAYS(refusal("[spining]\n" + kRange), "sensor.toml:1: key \"spining\": *\"spining\"*\"spinning\"");
     EXPECT_SAYS(refusal("[spinning]\nstep_deg = 1\nrotation_hz = 1\n" + kRange),
                 "sensor.toml:1: key \"spinning\": \"elevations_deg\" *\"beams\" *missing");
@@ -165,7 +166,7 @@ TEST_F(LidarFiles, InvalidMeasurementsAreNamedByTheirLine) {
     EXPECT_SAYS(refused(kRange + "[pose]\nposition = [0, 0, 0]\nrotation = [0, 0, 0, 0]\n"),
                 "sensor.toml:9: key \"pose.rotation\": *0*rotation");
     EXPECT_EQ(refused(kRange + "[pose]\nposition = [0, 0, 0]\nrotation = [0, 0, 0, 1]\nroll_deg = 1\n"),
-              "sensor.toml:10: key \"pose.roll_deg\": excludes \"rotation\"");
+              "sensor.toml:10: key \"pose.roll_deg\": cannot be combined with \"rotation\"");
     EXPECT_EQ(refusal("trajectory = \"gone.csv\"\n" + kFlash + kRange), "gone.csv: No such file or directory");
 }
 

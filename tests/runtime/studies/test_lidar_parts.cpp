@@ -160,7 +160,7 @@ TEST(BeamFootprint, HoldsEqualSharesOfAGaussianBeam) {
         std::size_t within = 0;
         for (std::size_t i = 0; i < kRays; ++i)
             within += length(cross(axis, spot.ray(around, i))) <= circle * half_angle ? 1 : 0;
-        // the integral of exp(-2 r^2) r dr, relative to that up to r = 1
+        // the integral of exp(-2 r^2) r dr up to this radius, divided by that up to r = 1
         const double expected = (1 - std::exp(-2 * circle * circle)) / (1 - std::exp(-2.0));
         EXPECT_NEAR(static_cast<double>(within) / kRays, expected, 1.0 / kRays) << circle;
     }

@@ -8,7 +8,7 @@ namespace pointrt::test {
 namespace {
 
 constexpr double kFloor = 0.25, kSlab = 0.5, kSheetStep = 0.01;
-/// Of heights, in metres: normals are rounded, by 3e-4 of a disc's radius of 1.28 m at its rim.
+/// Bound of the error of heights, in metres: normals are rounded, by 3e-4 of a disc's radius of 1.28 m at its rim.
 constexpr double kHeightError = 1e-3;
 
 /// Ground over x, y from 0.1 to 0.9, and a slab above its eastern half.

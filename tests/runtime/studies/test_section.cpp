@@ -9,7 +9,7 @@
 namespace pointrt::test {
 namespace {
 
-/// Of points on a surface, in cube units: 0.64 m.
+/// Spacing of points on a surface, in cube units: 0.64 m.
 constexpr double kSpacing = 0.005;
 
 double lengthOf(const SectionLine& line) {
@@ -32,7 +32,7 @@ protected:
     }
     double height(double z) const { return place.origin[2] + place.edge * z; }
     double spacing() const { return place.edge * kSpacing; }
-    /// As pointrt-rays has them for discs with a radius of the spacing.
+    /// The rules that pointrt-rays uses for discs with a radius of one spacing.
     SectionRules rules() const { return {spacing() / 2, 3 * spacing(), spacing() / 4, 0}; }
     std::vector<SectionLine> level(double z) const { return sectionLines(*scene, levelPlane(height(z), kUp), rules()); }
 
@@ -106,7 +106,7 @@ TEST_F(RoomSection, ShortLinesCanBeLeftOut) {
 
 TEST_F(RoomSection, PlanesBesideTheRoomOrAlongTheFloorHaveNoLines) {
     EXPECT_TRUE(level(0.9).empty());
-    for (const SectionLine& line : level(0.4)) // the floor itself is no line; the walls may start there
+    for (const SectionLine& line : level(0.4)) // the floor itself gives no line; the walls may begin there
         for (const Position& point : line.points) {
             const double x = (point[0] - place.origin[0]) / place.edge, y = (point[1] - place.origin[1]) / place.edge;
             const bool on_pillar = x > 0.44 && x < 0.54 && y > 0.43 && y < 0.57;

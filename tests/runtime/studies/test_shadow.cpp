@@ -27,7 +27,7 @@ bool isShaded(double x, double y, const double* sun) {
     return from <= to;
 }
 
-/// 0 or 1, or -1 if the answer changes within the point spacing.
+/// 1 in shadow, 0 lit, or -1 if this changes within the point spacing.
 int surely(double x, double y, const double* sun) {
     const bool here = isShaded(x, y, sun);
     for (int k = 0; k < 16; ++k) {

@@ -31,7 +31,7 @@ double rangeTo(const pro_splat& splat, Vec3 origin, Vec3 direction) {
     return dot(normal, Vec3{center[0], center[1], center[2]} - origin) / dot(normal, direction);
 }
 
-/// Fires straight down repeatedly.
+/// Fires straight down again and again.
 LidarSensor plummet(double pulse_hz = 1000) {
     LidarSensor sensor;
     sensor.pattern = LidarTable{{{0, -90, 0, 0}}, pulse_hz};
@@ -226,7 +226,7 @@ protected:
             const double inside = (i + 0.5) / kRings,
                          angle = 0.04 * std::sqrt(-0.5 * std::log1p(inside * std::expm1(-2)));
             const double r = kHeight * std::tan(angle);
-            // the arc of a circle of radius r that lies in the disc, by its distance from the disc's centre
+            // the angle of the circle of radius r that lies in the disc, by its distance from the disc's centre
             const double cosine = (r * r + distance * distance - radius * radius) / (2 * r * std::max(distance, 1e-9));
             share += std::acos(std::clamp(cosine, -1.0, 1.0)) / std::numbers::pi / kRings;
         }
@@ -273,7 +273,7 @@ TEST_F(LidarAndDisc, FirstLastAndStrongestKeepOneReturn) {
     };
     EXPECT_EQ(only(LidarKept::kFirst), 50);
     EXPECT_EQ(only(LidarKept::kLast), 55);
-    EXPECT_EQ(only(LidarKept::kStrongest), shareOf(0) * 1.21 > 1 - shareOf(0) ? 50 : 55); // 1.1^2
+    EXPECT_EQ(only(LidarKept::kStrongest), shareOf(0) * 1.21 > 1 - shareOf(0) ? 50 : 55); // 1.1^2 for the distances
     sensor.kept = LidarKept::kAll;
     sensor.most_returns = 1;
     EXPECT_EQ(std::lround(simulate(*scene, sensor, aside(0, 0.001)).ranges.at(0)), 50);

@@ -51,10 +51,10 @@ public:
         return w.requests;
     }
 
-    /// Opens or closes a section. After the first frame.
+    /// Opens or closes a section. Requires that a frame has been drawn.
     static void open(const char* section, bool open = true) {
         ImGuiWindow* panel = ImGui::FindWindowByName("Panel");
-        if (!panel) return; // nothing is open
+        if (!panel) return; // nothing is displayed
         panel->StateStorage.SetInt(panel->GetID(section), open ? 1 : 0);
     }
     void openAll(Workspace& w) {
@@ -93,7 +93,7 @@ public:
         return release(w);
     }
 
-    /// The full name of a child window, by the beginning that its owner gives it.
+    /// The full name of a child window, from the prefix given by its owner.
     static std::string childOf(const char* beginning) {
         for (const ImGuiWindow* window : GImGui->Windows)
             if (std::string(window->Name).starts_with(beginning)) return window->Name;

@@ -18,7 +18,7 @@
 
 namespace pointrt {
 
-/// Edits of every kind, in an order that is the same in each run.
+/// Edits of every kind, in the same order in each run.
 class RandomEdits {
 public:
     RandomEdits(Workspace& work, SceneEditor& editor) : work_(work), editor_(editor), home_(work.camera) {}

@@ -17,7 +17,7 @@ TEST(ClipEdit, ANewBoxCutsNothing) {
 }
 
 TEST(ClipEdit, APlaneCutsAwayWhatIsInFrontOfThePick) {
-    // a ceiling seen from above: the part above it goes
+    // a ceiling seen from above: the clip removes what is above it
     const ClipDescription plane =
         newClipPlane(ClipSurface{{1, 2, 3}, normalize({0.1, 0, -1})}, {0, 0.2, -0.9}, {}, {0, 0, 1});
     EXPECT_EQ(std::get<ClipPlane>(plane.form), (ClipPlane{{1, 2, 3}, {0, 0, -1}}));

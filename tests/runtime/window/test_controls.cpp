@@ -129,7 +129,7 @@ TEST(Commands, CtrlIsTrackedAcrossKeys) {
     EXPECT_EQ(user.down('V'), textOf(Action::kPasteCamera));
     user.up('V');
     EXPECT_EQ(user.down('M'), "");
-    EXPECT_EQ(user.down('S'), textOf(Action::kSaveScene)); // and does not fly
+    EXPECT_EQ(user.down('S'), textOf(Action::kSaveScene)); // the key does not also fly
     user.up('S');
     user.up(Key::kControl);
     EXPECT_EQ(user.down('S'), "fly 0 0 -1");
@@ -144,9 +144,9 @@ TEST(Commands, ClicksPick_DragsOrbit) {
 
     user.time_s = 5;
     user.press();
-    EXPECT_EQ(user.move(106, 202), "orbit 4 0"); // the whole way since the press
+    EXPECT_EQ(user.move(106, 202), "orbit 4 0"); // the whole distance since the press
     EXPECT_EQ(user.move(106, 202), "");
-    EXPECT_EQ(user.move(105, 200), "orbit -1 -2"); // from here on every unit counts
+    EXPECT_EQ(user.move(105, 200), "orbit -1 -2"); // after that, every unit counts
     EXPECT_EQ(user.release(), "");
     EXPECT_EQ(user.move(300, 300), "");
 }
@@ -160,14 +160,14 @@ TEST(Commands, RightAndShiftedDragsPan) {
     user.down(Key::kShift);
     user.press();
     EXPECT_EQ(user.move(20, 30), "pan 0 20");
-    user.up(Key::kShift); // a drag does not change its kind
+    user.up(Key::kShift); // a drag keeps its kind
     EXPECT_EQ(user.move(21, 30), "pan 1 0");
     EXPECT_EQ(user.release(), "");
     user.press(MouseButton::kMiddle);
     EXPECT_EQ(user.move(90, 90), "");
     EXPECT_EQ(user.release(MouseButton::kMiddle), "");
     user.press(MouseButton::kRight);
-    EXPECT_EQ(user.release(MouseButton::kRight), ""); // no pick
+    EXPECT_EQ(user.release(MouseButton::kRight), ""); // a drag is not a pick
 }
 
 TEST(Commands, OneDragAtATime) {
@@ -191,7 +191,7 @@ TEST(Commands, DoubleClickCentres) {
     EXPECT_EQ(user.press(), "centre 53 52");
     EXPECT_EQ(user.release(), ""); // no second pick
     user.time_s = 1.5;
-    EXPECT_EQ(user.press(), ""); // the third click is a first one again
+    EXPECT_EQ(user.press(), ""); // the third click counts as a first one
     EXPECT_EQ(user.release(), "pick 53 52");
 }
 
@@ -237,13 +237,13 @@ TEST(Commands, LostReleaseEndsTheDrag) {
     user.move(50, 50);
     user.time_s = 3;
     EXPECT_EQ(user.press(), "");
-    EXPECT_EQ(user.move(50, 60), "orbit 0 10"); // from the new press
+    EXPECT_EQ(user.move(50, 60), "orbit 0 10"); // counted from the new press
     EXPECT_EQ(text(releaseAll(user.state)), "");
     EXPECT_EQ(user.move(90, 90), "");
     EXPECT_EQ(user.release(), "");
     user.press();
     releaseAll(user.state);
-    EXPECT_EQ(user.release(), ""); // no click
+    EXPECT_EQ(user.release(), ""); // a drag is not a click
 }
 
 TEST(Commands, WheelZoomsToTheCursor) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// When the window's picture starts over, and taking picks and films from it.
+// When the window's picture restarts, and how picks and films are taken from it.
 #include "runtime/window/live/image_controller.h"
 
 #include <gtest/gtest.h>

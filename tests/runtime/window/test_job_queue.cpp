@@ -49,7 +49,7 @@ protected:
     }
     std::string shown() const { return queue.status() ? queue.status()->title : "nothing"; }
 
-    /// Polls until something has been reported.
+    /// Polls until something is reported.
     std::vector<std::string> next() {
         events.clear();
         const auto end = std::chrono::steady_clock::now() + 10s;

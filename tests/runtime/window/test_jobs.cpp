@@ -134,7 +134,8 @@ protected:
     std::unique_ptr<BakeJob> start(const std::string& body, BakeDetail detail = BakeDetail::kAll) const {
         const std::string path = folder.write("pointrt-bake", "#!/bin/sh\n" + body + "\n");
         fs::permissions(path, fs::perms::owner_all);
-        fs::last_write_time(path, fs::file_time_type{}); // of one version, whenever it is written
+        // so that all versions look the same, whenever they are written
+        fs::last_write_time(path, fs::file_time_type{});
         test::tinyScene().write(path + ".pro");
         const ScanBake bake{{folder.write("a scan\n.ply", std::string(scan_bytes, 'x'))}, {}};
         return std::make_unique<BakeJob>(bake, detail, FileCache{folder.file("cache"), ".pro", 1 << 20}, path);

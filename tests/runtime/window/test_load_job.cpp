@@ -101,7 +101,7 @@ protected:
         EXPECT_EQ(job.job().state(), JobState::kDone) << job.job().error();
     }
 
-    /// Whether an update needed no job.
+    /// Whether an update was done without a job.
     bool updatesTables(LoadedScene& loaded, const SceneDescription& description, const RenderSettings& settings) {
         RequiredUpdate rework = requiredUpdate(loaded.scene, loaded.program_kinds.integrator, description, settings);
         if (rework.kind != UpdateKind::kTables) return false;
@@ -118,7 +118,7 @@ protected:
 
     const test::TemporaryFolder folder;
     Integrator integrator = Integrator::kWhitted;
-    bool caustics = false; ///< off: they take a second each time
+    bool caustics = false; ///< off, because they take a second each time
 };
 
 TEST_F(LoadJobTest, LoadsAScanWithSurroundings) {
@@ -305,7 +305,7 @@ TEST_F(LoadJobTest, PhotonsAreDeferred) {
         job.job().cancel();
         wait(job.job());
         EXPECT_FALSE(loaded->lacks_photons) << "nobody wants to wait for them";
-        if (job.job().state() == JobState::kCancelled) { // cancelled in time
+        if (job.job().state() == JobState::kCancelled) { // cancelled before it finished
             EXPECT_EQ(picture(*loaded), without);
         }
     }

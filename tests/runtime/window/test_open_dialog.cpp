@@ -16,7 +16,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A script that stands for a dialog.
+/// A script used instead of a dialog.
 std::string script(const test::TemporaryFolder& folder, const std::string& name, const std::string& lines) {
     const std::string path = folder.write(name, "#!/bin/sh\n" + lines);
     fs::permissions(path, fs::perms::owner_all);

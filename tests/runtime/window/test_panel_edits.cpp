@@ -24,9 +24,9 @@ L newLightOf() {
 void expectSameVector(Vec3 a, Vec3 b, double tolerance = 1e-9) { EXPECT_LT(length(a - b), tolerance); }
 
 TEST(LightEdit, BrightnessOneIsWhite) {
-    // A white surface reflects irradiance / pi. At distance 10 a point of intensity 100 pi gives an irradiance of pi;
-    // so does the sun; a sphere of radius 1 and a square of area 4 with radiance 100 give 100 pi / 100 and 100 * 4 /
-    // 100.
+    // The radiance of a white surface is irradiance / pi. At distance 10 a point of intensity 100 pi gives an
+    // irradiance of pi; so does the sun; a sphere of radius 1 and a square of area 4 with radiance 100 give 100 pi /
+    // 100 and 100 * 4 / 100.
     const auto pi = std::numbers::pi_v<float>;
     EXPECT_NEAR(brightnessOf(PointLight{{}, {100 * pi, 0, 0}}, 10), 1, 1e-6);
     EXPECT_NEAR(brightnessOf(SunLight{kUp, 0, {0, pi, 0}}, 10), 1, 1e-6);
@@ -134,12 +134,12 @@ TEST(MaterialEdit, KeepsSharedMaterials) {
     EXPECT_EQ(scene.instances[1].material, 1u);
     EXPECT_EQ(scene.materials[1].kind, MaterialKind::kMatte);
     EXPECT_EQ(scene.materials[2].kind, MaterialKind::kGlass);
-    ASSERT_TRUE(setScanMaterial(scene, {1, 1}, MaterialKind::kMetal)); // now unshared
+    ASSERT_TRUE(setScanMaterial(scene, {1, 1}, MaterialKind::kMetal)); // it has its own material now
     EXPECT_EQ(scene.instances[1].material, 1u);
     EXPECT_EQ(scene.materials[1].kind, MaterialKind::kMetal);
     EXPECT_EQ(scene.materials[1].name, "gold");
     EXPECT_FALSE(scene.instances[2].material.has_value());
-    scene.instances[2].material = 0; // the floor's
+    scene.instances[2].material = 0; // the material of the floor
     ASSERT_TRUE(setScanMaterial(scene, {2, 1}, MaterialKind::kMirror));
     EXPECT_NE(scene.instances[2].material, 0u);
     EXPECT_EQ(scene.materials[0].kind, MaterialKind::kMatte);

@@ -128,7 +128,7 @@ TEST(Panels, HandlesMoveAndTurnTheSelectedLayer) {
 TEST(Panels, ShapesAreAddedAtThePickedPoint) {
     Workspace w = litScan();
     w.picks = {pick({0, 2, 0})};
-    w.picks[0].normal = {0, -1, 0}; // of a surface seen from behind: the shape is put on the side of the eye
+    w.picks[0].normal = {0, -1, 0}; // the normal of a surface seen from behind: the shape is put on the side of the eye
     w.camera.eye = {0, 5, 5};
     PanelDriver driver;
     driver.openAll(w);
@@ -229,7 +229,7 @@ TEST(Panels, BrowserOpensFilesAndFolders) {
     EXPECT_EQ(driver.click(w).open_files, (std::vector<std::string>{"/scans/nave.laz", "/scans/tower.laz"}));
 }
 
-/// Folders open with a click. Whoever double-clicks one must not open what is then under the cursor.
+/// Folders open with a single click. A double click on one must not open what is under the cursor afterwards.
 TEST(Panels, BrowserOpensNoFileByADoubleClickOnAFolder) {
     Workspace w;
     w.browser = FileBrowser{"/scans", {{"site", true}}, ""};
@@ -242,9 +242,9 @@ TEST(Panels, BrowserOpensNoFileByADoubleClickOnAFolder) {
     EXPECT_TRUE(w.browser->entries[0].chosen);
 }
 
-/// The headers of sections below others are at the bottom of small windows.
+/// In small windows, headers of lower sections are at the bottom.
 TEST(Panels, SectionsAreInSightOnceTheyAreOpened) {
-    constexpr float kLess = 20, kMore = 900; // than a header's height, and than all open sections
+    constexpr float kLess = 20, kMore = 900; // smaller than a header's height, and larger than all open sections
     for (float height = 500; height < kMore; height += kLess) {
         Workspace w = litScan();
         PanelDriver driver(1280, height);
@@ -333,7 +333,7 @@ TEST(Panels, DeleteTheSelectedLight) {
     EXPECT_TRUE(driver.click(w).scene_changed);
     ASSERT_EQ(w.scene.lights.size(), 1u);
     EXPECT_TRUE(std::holds_alternative<SphereLight>(w.scene.lights[0]));
-    ASSERT_TRUE(driver.find(w, "Panel", {"Light", "Delete"})); // the list has become shorter
+    ASSERT_TRUE(driver.find(w, "Panel", {"Light", "Delete"})); // the list is shorter now
     driver.click(w);
     EXPECT_TRUE(w.scene.lights.empty());
     driver.find(w, "Panel", {"Light", "Delete"});

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the window keeps from run to run, and names of stills.
+// Settings that the window keeps from run to run, and names of stills.
 #include "runtime/window/edit/preferences.h"
 
 #include <gtest/gtest.h>

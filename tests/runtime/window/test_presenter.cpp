@@ -103,7 +103,7 @@ protected:
             recordUploadRows(commands, presenter, buffer, 0, presenter.canvas.extent.height);
         });
     }
-    /// on_host: where the device is a CPU.
+    /// on_host: for devices that are CPUs.
     void uploadPicture(const std::vector<std::uint32_t>& pixels, std::uint32_t width, std::uint32_t height,
                        bool on_host) {
         upload(pixels, [&](VkCommandBuffer commands, const Buffer& buffer) {
@@ -169,7 +169,7 @@ TEST_F(PresenterTest, UpscalesBilinearly) {
     constexpr std::uint32_t kSmallWidth = 41, kSmallHeight = 30;
     const std::vector<std::uint32_t> pixels = testPixels(kSmallWidth, kSmallHeight);
     for (bool on_host : {false, true}) {
-        // noise of another size first, which must not show at the edges
+        // noise of another size first, which must not appear at the edges
         uploadPicture(testPixels(kWidth, kHeight, 3), kWidth, kHeight, on_host);
         uploadPicture(pixels, kSmallWidth, kSmallHeight, on_host);
         EXPECT_LT(bilinearError(readCanvas(device, presenter), pixels, kSmallWidth), kBilinearError) << on_host;
@@ -203,7 +203,8 @@ TEST_F(PresenterTest, PresentsWithoutUi) {
     EXPECT_EQ(readCanvas(device, presenter).pixels, rgbOf(pixels)) << "the UI must not get into the picture";
 }
 
-/// Frames one after another, each with triangles of its own, and pixels that the one before may still be read from.
+/// Frames one after another, each with its own triangles and pixels, which must not replace those that an earlier frame
+/// still reads.
 TEST_F(PresenterTest, FramesDoNotWaitForEachOther) {
     Buffer buffer = createBuffer(device, "pixels", 4 * kWidth * kHeight, 0);
     std::vector<std::uint32_t> pixels;
@@ -231,7 +232,7 @@ TEST_F(PresenterTest, DrawsGlyphs) {
         left = std::min(left, i / 3 % kWidth);
         right = std::max(right, i / 3 % kWidth);
     }
-    // a slanted stroke: several pixels high, a few wide, less than its box
+    // a slanted stroke: several pixels high, a few wide, narrower than its box
     EXPECT_GT(right, left + 2);
     EXPECT_GT(green, 5u);
     EXPECT_LT(green, (right - left + 1) * 5) << "the glyph's box is filled: the font's coverage is not used";

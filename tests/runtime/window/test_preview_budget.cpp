@@ -37,7 +37,8 @@ TEST(PreviewBudget, OfFastDevices_IsOfOneRefresh) {
 
 TEST(PreviewBudget, DoesNotFlicker) {
     PreviewBudget budget;
-    const double refresh_s = 0.45 / 60, enough_s = 4 * refresh_s; // the time of a picture of which a quarter fits
+    // the time of a picture if a quarter of it fits in a frame
+    const double refresh_s = 0.45 / 60, enough_s = 4 * refresh_s;
     EXPECT_DOUBLE_EQ(budget.next(60, 0.9 * enough_s), 0.015);
     EXPECT_DOUBLE_EQ(budget.next(60, 0.7 * enough_s), refresh_s);
     EXPECT_DOUBLE_EQ(budget.next(60, 0.9 * enough_s), refresh_s);

@@ -151,7 +151,7 @@ TEST(RenderCache, HidesPointsBehindASurface) {
     ErrorMap errors(kSize);
     const ViewProjection right = viewFrom(0.5f), left = viewFrom(0);
     insertSamples(cache, errors, right, {}, tracedAll(right));
-    cache.reproject(left); // wall points hidden by the card from here were traced from there
+    cache.reproject(left); // wall points that the card hides from here were traced from there
     std::vector<TracedPixel> card;
     for (std::uint32_t pixel = 0; pixel < kSize.width * kSize.height; ++pixel)
         if (seesCard(left, pixel) && pixel % 3 != 0) card.push_back(traced(left, pixel));
@@ -174,8 +174,8 @@ std::vector<TracedPixel> tracedSparsely(const ViewProjection& view) {
     return some;
 }
 
-/// Likewise where a slow tracer has reached few pixels, whose neighbours are empty. Beside the card, the wall stays. At
-/// its rim nobody knows: points are 0.1 apart.
+/// The same where a slow tracer has reached only few pixels, whose neighbours are empty. Beside the card, the wall
+/// remains. At its rim both are accepted: points are 0.1 apart.
 TEST(RenderCache, HidesPointsBehindASparseSurface) {
     RenderCache cache(kSize);
     ErrorMap errors(kSize);
@@ -203,7 +203,7 @@ TEST(RenderCache, HidesPointsBehindASparseSurface) {
     EXPECT_GT(beside, 300u);
 }
 
-/// After moving there and back no point is lost or moved, although the card hid some in between.
+/// Moving away and back neither loses nor moves points, although the card hid some of them in between.
 TEST(RenderCache, ComesBack) {
     ErrorMap errors(kSize);
     RenderCache cache = pictureFromZero(errors);
@@ -252,7 +252,7 @@ TEST(RenderCache, ResamplesToOnePointPerPixel) {
     resamplePoints(cache, nearer);
     const std::vector<std::uint32_t> before = cache.colors();
     cache.reproject(nearer);
-    EXPECT_LT(cache.emptyPixelCount(), kSize.width * kSize.height / 25); // at the card's edges
+    EXPECT_LT(cache.emptyPixelCount(), kSize.width * kSize.height / 25); // at the card's edges only
     fillHoles(cache);
     std::size_t other = 0;
     for (std::size_t i = 0; i < before.size(); ++i) other += before[i] != cache.colors()[i] ? 1 : 0;
@@ -280,8 +280,8 @@ TEST(SelectPixels, EmptyPixelsFirst_OthersByAge) {
     }
 }
 
-/// Where a traced colour differs from the cached one, that tile and its neighbours get priority.
-/// A picture whose left half shows sky, which is known there in a pixel of each tile, and a wall in the right half.
+/// Where a traced colour differs from the cached one, the tile and its neighbours get priority. The left half of the
+/// picture is sky, known from one pixel in each tile; the right half is a wall.
 TEST(SelectPixels, SkyHasTime) {
     RenderCache cache(kSize);
     ErrorMap errors(kSize);

@@ -42,7 +42,7 @@ PointLight lampAt(double x) { return {{x, 3, 0}, {9, 9, 9}}; }
 
 class SceneEditorTest : public testing::Test {
 protected:
-    /// As a room button in the panel does.
+    /// Does what a room button in the panel does.
     void goTo(std::optional<Room> room, std::optional<std::uint32_t> lamps = std::nullopt) {
         work.settings.room = room;
         work.settings.lights = lamps;

@@ -85,7 +85,7 @@ TEST(TraceSpeed, ListsFillTheFrameUpToMost) {
     const ListCost cost{0.010, 1e-6};
     EXPECT_NEAR(pixelsFor(0.030, cost, 1e6), 20000, 1e-6);
     EXPECT_EQ(pixelsFor(0.030, cost, 1000), 1000);
-    EXPECT_NEAR(pixelsFor(0.005, cost, 1e6), 1500, 1e-6); // always a share of the frame
+    EXPECT_NEAR(pixelsFor(0.005, cost, 1e6), 1500, 1e-6); // a share of the frame in any case
     EXPECT_EQ(pixelsFor(0.030, {0.010, 1e-3}, 1e6), 512);
 }
 

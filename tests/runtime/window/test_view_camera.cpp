@@ -539,7 +539,7 @@ TEST(CameraText, RejectsOtherTextWithAReason) {
     EXPECT_SAYS(errorOf(good + "--up 1,2,inf"), "camera text: --up: *\"1,2,inf\"");
     EXPECT_SAYS(errorOf(good + "--fov 180"), "camera text: --fov: *\"180\"");
     EXPECT_SAYS(errorOf(good + "--ortho -1"), "camera text: --ortho: *\"-1\"");
-    EXPECT_SAYS(errorOf(good + "--fov 20 --ortho 2"), "camera text: --fov *--ortho *exclude");
+    EXPECT_SAYS(errorOf(good + "--fov 20 --ortho 2"), "camera text: --fov *--ortho *combined");
     EXPECT_SAYS(errorOf(std::string(5000, ' ')), "camera text: *long");
     for (const char* text : {"--up 0,0,0", "--ortho 1e11", "--fov 0.0001"}) EXPECT_NE(errorOf(good + text), "");
     EXPECT_NE(errorOf("--eye 1,1,1 --target 1,1,1"), "");

@@ -95,7 +95,7 @@ TEST_P(ViewportRendererTest, MatchesTheHeadlessPicture) {
         for (std::uint32_t c = 0; c < 3; ++c)
             worst = std::max(worst,
                              std::abs(static_cast<int>(words[i] >> (16 - 8 * c) & 255) - developed.pixels[3 * i + c]));
-    EXPECT_LE(worst, 1); // if the device's pow rounds differently
+    EXPECT_LE(worst, 1); // the device's pow may round differently
 }
 
 TEST_P(ViewportRendererTest, StartsOverWhenTheCameraMoves) {
@@ -145,7 +145,7 @@ TEST_P(ViewportRendererTest, ReprojectsThePicture) {
     EXPECT_EQ(shownPixels(), words);
 }
 
-/// Without a picture to start from, traced points accumulate from frame to frame.
+/// Without an earlier picture, traced points accumulate from frame to frame.
 TEST_P(ViewportRendererTest, AccumulatesWhileMoving) {
     live.emplace(device, tracer, 1e-5);
     std::vector<double> errors;
@@ -158,7 +158,7 @@ TEST_P(ViewportRendererTest, AccumulatesWhileMoving) {
         EXPECT_EQ(live->progress().size, (PixelSize{72, 56})) << frame;
         if (frame == 0 || frame == 23) errors.push_back(errorOf(shownPixels(), tonemapFilm(headless())));
     }
-    EXPECT_LT(errors[1], 0.65 * errors[0]); // half of the path tracer's error remains: its noise
+    EXPECT_LT(errors[1], 0.65 * errors[0]); // half of the path tracer's error is noise, which remains
     finish();
     EXPECT_EQ(live->readFilm().rgba, headless().rgba);
 }
@@ -198,7 +198,7 @@ TEST_P(ViewportRendererTest, Resizes) {
     EXPECT_EQ(live->readFilm().rgba, headless().rgba);
 }
 
-/// The film is extended once there are to be several batches of samples.
+/// The film is extended when there will be several batches of samples.
 TEST_P(ViewportRendererTest, KeepsItsLightWhenSamplesAreAdded) {
     view.settings.width = view.settings.height = 16;
     live->setView(view, false);

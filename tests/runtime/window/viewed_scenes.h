@@ -22,7 +22,7 @@ struct ViewedScene {
 inline const ViewedScene kUnit{{-1, -1, -1}, {1, 1, 1}};
 inline const ViewedScene kNationalGrid{{2'600'000, 1'200'000, 400}, {2'600'030, 1'200'040, 520}}; // radius 65
 
-/// From an oblique direction, so that no axis is special.
+/// A view from an oblique direction, so that no axis is special.
 inline ViewCamera slantedView(const ViewedScene& scene, Vec3 up) {
     CameraRequest request;
     request.eye = scene.centre() + Vec3{1.7, 1.1, 2.3} * scene.radius();

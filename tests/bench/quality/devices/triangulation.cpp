@@ -46,7 +46,7 @@ struct Stripe {
     /// The brightest stripe in view; light further apart than the sheet's width is another stripe.
     Vec3d sampleAt(double x, double y, double error) const {
         double whole = 0, last = 0;
-        Seen stripe{0, 0}, strongest{0, 0}; // images are sums, weighted by power
+        Seen stripe{0, 0}, strongest{0, 0}; // images are sums of light, weighted by power
         for (int i = 0; i < kLines; ++i) {
             const double offset = device.half_width * (2.0 * i / (kLines - 1) - 1);
             const double light = std::exp(-2 * offset * offset / (device.half_width * device.half_width));

@@ -31,7 +31,7 @@ std::string plyRow(const Blob& blob, bool flat = false);
 /// A PLY of 3D Gaussians, which must have the same number of f_rest.
 std::string gaussianPly(const std::vector<Blob>& blobs);
 
-/// Of 1 or 257 splats, the last of which lies in a chunk of its own.
+/// A packed PLY of 1 or 257 splats; the last one is in a chunk of its own.
 /// @param harmonics bytes of an element "sh" behind the vertices, rest of each
 std::string packedPly(std::uint32_t count, bool color_range, std::uint32_t rotation, const std::string& harmonics = "",
                       std::size_t rest = 0);

@@ -49,7 +49,7 @@ std::vector<float> restOf(std::size_t count) {
 /// A rotation about no axis in particular.
 Eigen::Quaterniond skewTurn() { return Eigen::Quaterniond(0.3, -0.7, 0.4, 0.5).normalized(); }
 
-/// The values of the default Blob.
+/// Expects the values of the default Blob.
 void expectBlob(const Cloud& cloud, double deviation_error = 1e-6) {
     ASSERT_GE(cloud.positions.size(), 1u);
     const GaussianColumns columns = columnsOf(cloud);
@@ -278,7 +278,7 @@ TEST_F(GaussiansTest, NoChoiceOfAttributesRemovesThem) {
     options.attributes = {.all = false, .names = {}};
     expectBlob(read(write("a.ply", gaussianPly({{.rest = restOf(9)}})), options));
     EXPECT_EQ(columnsOf(read(write("a.ply", gaussianPly({{.rest = restOf(9)}})), options)).degree, 1);
-    // of points, such attributes are as any others
+    // in files of points, these are ordinary attributes
     const std::string point = "ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nproperty float y\n"
                               "property float z\nproperty float opacity\nend_header\n1 2 3 4\n";
     EXPECT_TRUE(read(write("b.ply", point), options).attributes.empty());
@@ -374,7 +374,7 @@ TEST_F(GaussiansTest, EveryPrefixIsReadOrRefused) {
     readPrefixes("c.spz", spz4(arrays, {.version = 4, .degree = 1, .streams = 6}));
 }
 
-/// The functions of the reference implementation (Kerbl et al. 2023, forward.cu), as it writes them.
+/// The functions of the reference implementation (Kerbl et al. 2023, forward.cu), copied as written there.
 TEST(GaussianHarmonics, AreThoseOfTheReference) {
     const Vec3d direction = Vec3d(0.3, -0.5, 0.8).normalized();
     const double x = direction.x(), y = direction.y(), z = direction.z();
@@ -399,9 +399,9 @@ TEST(GaussianHarmonics, AreThoseOfTheReference) {
     EXPECT_EQ(gaussianHarmonics(direction, 1)[3], 0);
 }
 
-/// Integrals over the sphere: of products of two, 1 if they are the same and 0 otherwise.
+/// Integrals over the sphere: that of a product of two functions is 1 if they are the same and 0 otherwise.
 TEST(GaussianHarmonics, AreOrthonormal) {
-    constexpr int kRings = 64, kSteps = 16; // exact for polynomials of degree 6 around, nearly so along z
+    constexpr int kRings = 64, kSteps = 16; // exact for polynomials of degree 6 along azimuth, and nearly so along z
     Eigen::Matrix<double, 15, 15> integrals = Eigen::Matrix<double, 15, 15>::Zero();
     for (int ring = 0; ring < kRings; ++ring)
         for (int step = 0; step < kSteps; ++step) {

@@ -22,7 +22,7 @@ std::string webpOf(int width, int height, const std::string& rgba, bool lossless
     WebPConfig config;
     WebPConfigInit(&config);
     config.lossless = lossless;
-    config.exact = 1; // numbers below an alpha of 0 count too
+    config.exact = 1; // keeps colours where alpha is 0
     WebPPicture picture;
     WebPPictureInit(&picture);
     picture.use_argb = 1;
@@ -83,7 +83,7 @@ Files sog(const std::string& more = "") {
     return files;
 }
 
-/// Harmonics of degree 1: two sets, of which the Gaussians have the second and one that is not there.
+/// Harmonics of degree 1: two sets. One Gaussian uses the second, the other one a set that does not exist.
 Files withHarmonics(std::uint64_t count = 2) {
     Files files = sog(fmt::format(R"(,"shN":{{"count":{},"bands":1,{},"files":["c.webp","l.webp"]}})", count,
                                   codebook(-1, 0.0078125)));
@@ -217,7 +217,7 @@ TEST_F(SogTest, FirstValueOfACodebookMayBeNull) {
     std::string& meta = files["meta.json"];
     meta.replace(meta.find("\"codebook\":[-5,") + 12, 2, "null");
     const Cloud cloud = read(writeAll(files));
-    // as far before the second value as a 255th of the way to the last
+    // before the second value by a 255th of the distance to the last
     EXPECT_NEAR(sogThree(columnsOfSog(cloud).deviation, 1).x(), std::exp(-4.99 - 0.01 * 254 / 255), 1e-6);
 }
 
@@ -238,7 +238,7 @@ TEST_F(SogTest, DiscsAreMadeOfThem) {
     EXPECT_HAS(notesOf(cloud), "view-dependent");
 }
 
-/// Two files of level 0, one of level 1, and surroundings; all have two Gaussians.
+/// Two files of level 0, one of level 1, and surroundings; each has two Gaussians.
 Files levels(const std::string& tree, const std::string& environment = "") {
     Files files;
     files["lod-meta.json"] =
@@ -376,7 +376,7 @@ TEST_F(SogTest, InvalidArchivesAreRefused) {
 
 TEST_F(SogTest, BombsInArchivesAreRefused) {
     Files files = sog();
-    files["quats.webp"] = std::string(80 << 20, '\0'); // deflate makes 80 kB of it
+    files["quats.webp"] = std::string(80 << 20, '\0'); // deflate shrinks it to 80 kB
     EXPECT_HAS(reasonOfText("a.sog", zipOf(files, {.deflated = true})), "'quats.webp': *100 times");
 }
 

@@ -232,7 +232,7 @@ std::string redAboveBlue() {
 
 TEST_F(GltfTest, TexturesColourFaces) {
     Gltf gltf;
-    const std::size_t places = gltf.floats({0.5f, 0.25f, 0.5f, 0.25f, 0.5f, 0.75f}, "VEC2", 2); // v counts down
+    const std::size_t places = gltf.floats({0.5f, 0.25f, 0.5f, 0.25f, 0.5f, 0.75f}, "VEC2", 2); // v counts from the top
     gltf.add({{"material", 0}, {"attributes", {{"POSITION", gltf.threes(kCorner)}, {"TEXCOORD_0", places}}}});
     gltf.json["materials"] = {{{"pbrMetallicRoughness", {{"baseColorTexture", {{"index", 0}}}}}}};
     gltf.json["textures"] = {{{"source", 0}}};
@@ -324,7 +324,7 @@ TEST_F(GltfTest, NodesTurnGaussians) {
     ASSERT_EQ(cloud.positions.size(), 2u);
     EXPECT_EQ(cloud.scans.size(), 1u);
     const GaussianColumns columns = columnsOfGltf(cloud);
-    const std::size_t turned = world(cloud, 0).x() > 4 ? 0 : 1; // nodes may come in any order
+    const std::size_t turned = world(cloud, 0).x() > 4 ? 0 : 1; // nodes may be read in any order
     EXPECT_LT((world(cloud, turned) - Vec3d(6, 4.5, 0.75)).norm(), 1e-5);
     EXPECT_NEAR(columns.deviation[3 * turned], 1.5, 1e-6);
     const Eigen::Quaterniond turn(half, 0, 0, half), own(half, half, 0, 0);
@@ -336,7 +336,7 @@ TEST_F(GltfTest, NodesTurnGaussians) {
     for (std::size_t k = 0; k < 3; ++k)
         red += gaussianHarmonics(Vec3d::UnitY(), 1)[k] * double(columns.harmonics[k][3 * turned]);
     EXPECT_NEAR(red, -0.4886025119029199 * 0.2, 1e-5);
-    EXPECT_EQ(columns.harmonics[2][3 * (1 - turned)], 0); // the other has none
+    EXPECT_EQ(columns.harmonics[2][3 * (1 - turned)], 0); // the other one has none
 }
 
 TEST_F(GltfTest, MirroredGaussiansAreRefused) {

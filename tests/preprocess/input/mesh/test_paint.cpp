@@ -80,7 +80,7 @@ struct PaintTest : InputTest {
         options.sample_count = count;
         return read(path, options);
     }
-    /// Colours of the samples in x < 1 and beyond, each of which must be one.
+    /// Expects a single colour for the samples with x < 1, and another one for the others.
     static std::array<Rgb8, 2> halves(const Cloud& cloud) {
         std::array<Rgb8, 2> colors{};
         std::array<bool, 2> seen{};
@@ -128,7 +128,7 @@ TEST_F(PaintTest, MalformedPicturesAreRefused) {
                 EXPECT_EQ(error.code, ExitCode::kBadInput);
             }
         }
-    std::string huge = pngOf(kPixels, 2, 2); // the header says 60000 x 60000
+    std::string huge = pngOf(kPixels, 2, 2); // its header says 60000 x 60000
     huge.replace(16, 8, std::string("\0\0\xea\x60\0\0\xea\x60", 8));
     EXPECT_THROW(readPicture(inMemory(huge)), Error);
 }
@@ -178,7 +178,7 @@ TEST_F(PaintTest, MissingMaterialsAndTexturesAreNoted) {
     write("c.mtl", "newmtl m\nmap_Kd c.tga\n");
     write("c.tga", "what");
     EXPECT_HAS(notesOf(readText("c.obj", "mtllib c.mtl\n" + square)), "c.obj: *c.tga: ");
-    write("E.MTL", "newmtl m\nKd 0 0 1\n"); // Windows ignores the case of names
+    write("E.MTL", "newmtl m\nKd 0 0 1\n"); // Windows ignores case in names
     EXPECT_EQ(sampled(write("e.obj", "mtllib e.Mtl\n" + square)).colors.at(0), (Rgb8{0, 0, 255}));
     write("d.mtl", "newmtl m\nmap_Kd ../../../etc/passwd\n");
     EXPECT_HAS(notesOf(readText("d.obj", "mtllib d.mtl\n" + square)), "d.obj: *passwd");

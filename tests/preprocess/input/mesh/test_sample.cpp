@@ -161,8 +161,8 @@ TEST_F(SampleTest, MeshesAreCoarseByTheirEdgesOrBySlopes) {
     // edges of sqrt(2) / n, a diagonal of sqrt(2): at 20 cells a side they are a twentieth
     EXPECT_EQ(points(sheetOf(19)), 198'450u); // 630 * 630 / 2
     EXPECT_EQ(points(sheetOf(21)), 22u * 22);
-    // Pleats of 40 cells: faces at 45 degrees, edges of sqrt(3), discs level along the folds. They are
-    // 0.8 sqrt(3) sin 45 = 0.98 off, of a diagonal of 56.6: 7 pixels of the 420. Flatter ones do not.
+    // Pleats of 40 cells: faces at 45 degrees, edges of sqrt(3), discs level along the folds. Discs deviate by 0.8
+    // sqrt(3) sin 45 = 0.98 from a diagonal of 56.6: 7 of 420 pixels. Flatter pleats do not.
     EXPECT_EQ(points(sheetOf(40, 1)), 280'563u); // 630 * 630 * 1600 * sqrt(2) / 3201
     EXPECT_EQ(points(sheetOf(40, 0.1)), 41u * 41);
 }

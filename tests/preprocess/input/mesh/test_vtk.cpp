@@ -29,7 +29,7 @@ const std::string kBinary =
 TEST_F(VtkTest, PolygonsOfLegacyText) {
     const Cloud cloud = readText("a.vtk", kAscii);
     EXPECT_EQ(cloud.positions.size(), 4u);
-    ASSERT_EQ(cloud.triangles.size(), 2u); // of one polygon
+    ASSERT_EQ(cloud.triangles.size(), 2u); // triangulation of one polygon
     EXPECT_EQ(cloud.triangles[1], (std::array<std::uint32_t, 3>{0, 2, 3}));
 }
 

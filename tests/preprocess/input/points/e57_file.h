@@ -18,7 +18,7 @@ struct E57TestColumn {
 
 E57TestColumn e57Doubles(const std::string& tag, const std::vector<double>& values);
 E57TestColumn e57Floats(const std::string& tag, const std::vector<float>& values);
-/// Attributes of an integer column with the bits that least and most need.
+/// Attributes of an integer column with the bits that minimum and maximum need.
 E57TestColumn e57Whole(const std::string& tag, std::int64_t least, std::int64_t most,
                        const std::vector<std::int64_t>& values);
 /// The same for scaled integers: offset + scale * number.

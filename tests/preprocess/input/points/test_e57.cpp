@@ -288,7 +288,7 @@ TEST_F(E57Test, MessagesNameTheScan) {
     EXPECT_HAS(reasonOfScans({{two({other, other})}}), "two columns 'las:height'");
     EXPECT_HAS(reasonOfScans({{two(), poseXml({0, 0, 0, 0}, {0, 0, 0})}}), "pose *rotation");
     E57TestColumn beyond = e57Whole("las:height", 0, 5, {1, 5});
-    beyond.values[1] = 7; // fits in the bits, not in the limits
+    beyond.values[1] = 7; // fits in the column's bits, but not in its limits
     EXPECT_HAS(reasonOfScans({{two({beyond})}}), "las:height *maximum");
 }
 

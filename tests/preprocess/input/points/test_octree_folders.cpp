@@ -218,10 +218,10 @@ TEST_F(FolderTest, FoldersInFolders) {
     const std::string b = writeIn("top/b/2.ply", "x"), a = writeIn("top/a/deep/1.xyz", "x");
     writeIn("top/.hidden/3.ply", "x");
     EXPECT_EQ(filesOf({(folder / "top").string()}), (std::vector{a, b}));
-    writeIn("top/readme.txt", "Scans of the castle\n"); // no points: those below are meant
+    writeIn("top/readme.txt", "Scans of the castle\n"); // no points: the files below are meant
     EXPECT_EQ(filesOf({(folder / "top").string()}), (std::vector{a, b}));
-    writeIn("top/scene.bin", "x");                                               // a part of another file, perhaps
-    const std::string text = writeIn("about/scan.txt", "Scans of the castle\n"); // whose reader says what is wrong
+    writeIn("top/scene.bin", "x");                                               // may be a part of another file
+    const std::string text = writeIn("about/scan.txt", "Scans of the castle\n"); // its reader says what is wrong
     EXPECT_EQ(filesOf({(folder / "about").string()}), std::vector{text});
     const std::string own = writeIn("top/0.ply", "x"); // then the folder itself is meant
     EXPECT_EQ(filesOf({(folder / "top").string()}), std::vector{own});
@@ -236,7 +236,7 @@ TEST_F(FolderTest, EsriGrids) {
     const std::string header = "ncols 3\nnrows 2\nxllcorner 100\nyllcorner 200\ncellsize 2\nNODATA_value -9999\n";
     const Cloud cloud = readText("a.asc", header + "1 2 -9999\n4 5 6\n");
     ASSERT_EQ(cloud.positions.size(), 5u);
-    EXPECT_EQ(world(cloud, 0), Vec3d(101, 203, 1)); // the north comes first
+    EXPECT_EQ(world(cloud, 0), Vec3d(101, 203, 1)); // rows start in the north
     EXPECT_EQ(world(cloud, 1), Vec3d(103, 203, 2));
     EXPECT_EQ(world(cloud, 4), Vec3d(105, 201, 6));
     EXPECT_HAS(notesOf(cloud), "1 of 6 cells *no data");

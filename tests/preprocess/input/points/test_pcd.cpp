@@ -97,7 +97,7 @@ std::string simple(const std::string& shape, const std::string& body) {
 }
 
 TEST_F(PcdTest, BackReferences) {
-    // 12 zero bytes: one literal, then 11 more from one back.
+    // 12 zero bytes: one literal, then 11 more copied from one byte back.
     const std::string packed = std::string("\x00\x00", 2) + std::string("\xe0\x02\x00", 3);
     const std::string header = "VERSION 0.7\nFIELDS x y z\nWIDTH 1\nHEIGHT 1\n";
     EXPECT_EQ(world(readText("c.pcd", compressed(header, packed, 12)), 0), Vec3d(0, 0, 0));

@@ -59,7 +59,7 @@ TEST_F(PtxTest, ADefaultHeaderHasNoDistantScanner) {
         readText("a.ptx", header(1, 2, kStill, "0 0 0") + "637012.2 849028.3 431.6\n636896.3 849087.7 446.3\n");
     EXPECT_FALSE(cloud.scans[0].sensor.has_value());
     EXPECT_TRUE(cloud.sensors.empty());
-    // close to its points it is valid, and so is an explicit position
+    // if it is close to its points the position is valid, and so is an explicit one
     EXPECT_TRUE(readText("b.ptx", header(1, 2, kStill, "0 0 0") + "1 0 0\n2 0 0\n").scans[0].sensor.has_value());
     EXPECT_TRUE(readText("c.ptx", header(1, 2, kTurned) + "90 0 0\n90 1 0\n").scans[0].sensor.has_value());
 }

@@ -13,7 +13,7 @@ using RosTest = InputTest;
 
 std::string sized(const std::string& text) { return bytesOf(std::uint32_t(text.size())) + text; }
 
-/// Puts the members of a message together. CDR ends texts with a 0 and aligns numbers to their size.
+/// Assembles a message from its members. CDR ends texts with a 0 and aligns numbers to their size.
 struct RosBytes {
     bool cdr;
     std::string bytes = {};
@@ -147,7 +147,8 @@ const RosTopic kLidarTopic{"/velodyne", "sensor_msgs/PointCloud2"}, kTfTopic{"/t
 std::string bagOf(const std::vector<std::pair<RosTopic, std::string>>& messages) {
     std::string bytes = "#ROSBAG V2.0\n" + bagRecord({"op=\3"}, "    ");
     for (const auto& [topic, data] : messages) {
-        const std::string connection = "conn=" + bytesOf(std::uint32_t(topic.name.size())); // they differ
+        // the byte keeps names different
+        const std::string connection = "conn=" + bytesOf(std::uint32_t(topic.name.size()));
         bytes += bagRecord({"op=\7", connection, "topic=" + topic.name}, sized("type=" + topic.type));
         bytes += bagRecord({"op=\2", connection, "time=12345678"}, data);
     }
@@ -242,7 +243,7 @@ TEST_F(RosTest, OdometryMovesWhatTransformsOnlyMount) {
     const Cloud mounted = readText(
         "b.bag", bagOf({{kLidarTopic, cloudAt(5)}, {kStaticTopic, transforms({{1, "base", "lidar", 0, 0, 1}})}}));
     expectNear(world(mounted, 0), {1, 2, 4});
-    EXPECT_HAS(notesOf(mounted), "none of which moves");
+    EXPECT_HAS(notesOf(mounted), "static transforms");
 }
 
 TEST_F(RosTest, CloudsWithoutAPoseStayAsTheyAre) {
@@ -250,7 +251,7 @@ TEST_F(RosTest, CloudsWithoutAPoseStayAsTheyAre) {
     for (const std::vector<RosPose>& list :
          {elsewhere,                                                                    // another frame
           std::vector<RosPose>{{44, "odom", "lidar"}, {46, "odom", "lidar", 20}},       // another clock
-          std::vector<RosPose>{{4, "b", "lidar", 1}, {4, "lidar", "b", 1}},             // a circle
+          std::vector<RosPose>{{4, "b", "lidar", 1}, {4, "lidar", "b", 1}},             // a cycle
           std::vector<RosPose>{{4, "lidar", "lidar", 1}, {4, "odom", "lidar", NAN}}}) { // no poses
         const Cloud cloud = readText("a.bag", bagOf({{kTfTopic, transforms(list)}, {kLidarTopic, cloudAt(5)}}));
         EXPECT_EQ(world(cloud, 0), Vec3d(1, 2, 3));
@@ -268,7 +269,7 @@ TEST_F(RosTest, TheIndexTellsWhetherThereArePoses) {
         return bytes + bagRecord({"op=\7", "conn=" + bytesOf(0u), "topic=/any"}, sized("type=" + type));
     };
     expectNear(world(readText("a.bag", indexed(kTfTopic.type)), 0), {11, 2, 3});
-    expectNear(world(readText("b.bag", indexed(kLidarTopic.type)), 0), {1, 2, 3}); // the index is believed
+    expectNear(world(readText("b.bag", indexed(kLidarTopic.type)), 0), {1, 2, 3}); // the index is trusted
 }
 
 TEST_F(RosTest, MapsHaveNoScannerAtTheirOrigin) {

@@ -37,7 +37,7 @@ TEST_F(TableTest, QuotedFieldsHoldDelimiters) {
 TEST_F(TableTest, QuotedFieldsHoldLineEnds) {
     expectPoints("note,x,y,z\n\"a\nb\",1,2,3\nc,4,5,6\n", {{1, 2, 3}, {4, 5, 6}});
     expectPoints("x,y,z\r1,2,3\r4,5,6\r", {{1, 2, 3}, {4, 5, 6}}); // "CSV (Macintosh)"
-    // a quote that nothing closes does not swallow the points after it
+    // an unclosed quote does not swallow the points after it
     expectPoints("note,x,y,z\n\"5 inch,1,2,3\nc,4,5,6\n", {{1, 2, 3}, {4, 5, 6}});
 }
 
@@ -104,7 +104,7 @@ TEST_F(TableTest, MissingCoordinatesLeaveThePointOut) {
         EXPECT_EQ(cloud.points_non_finite, 3u);
     }
     EXPECT_HAS(notesOf(readText("a.csv", "x,y,z\n1,2,\n5,6,7\n")), "1 point*left out");
-    for (const char* missing : {"NoData", "-", "#N/A", "*"}) // where the file starts
+    for (const char* missing : {"NoData", "-", "#N/A", "*"}) // at the start of the file
         expectPoints(fmt::format("1 2 {}\n5 6 7\n", missing), {{5, 6, 7}});
     expectPoints("x\ty\tz\n\t2\t3\n1\t\t3\n5\t6\t7\n", {{5, 6, 7}});
     EXPECT_HAS(reasonOfText("a.csv", "x,y,z\n1,2,three\n"), "a.csv:2: column 3");
@@ -136,7 +136,7 @@ TEST_F(TableTest, BarsAndPercentSignsAreRead) {
 TEST_F(TableTest, ColumnNumbersArePandasHeader) {
     expectPoints("0,1,2\n1.5,2,3\n", {{1.5, 2, 3}});
     expectPoints(",0,1,2\n0,1.5,2,3\n", {{1.5, 2, 3}});
-    expectPoints("0,1,2\n1,2,3\n", {{0, 1, 2}, {1, 2, 3}}); // whole numbers, as the others
+    expectPoints("0,1,2\n1,2,3\n", {{0, 1, 2}, {1, 2, 3}}); // integers, like the other rows
     expectPoints("0,1,3\n1.5,2,3\n", {{0, 1, 3}, {1.5, 2, 3}});
 }
 
@@ -146,7 +146,7 @@ TEST_F(TableTest, LongitudesAndLatitudesAreDegrees) {
     options.scales_degrees = true;
     const Cloud cloud = read(path, options);
     EXPECT_HAS(notesOf(cloud), "is in degrees: *metres");
-    EXPECT_NEAR(world(cloud, 1).y() - world(cloud, 0).y(), 111.13, 0.05); // of a thousandth of a degree at 45 degrees
+    EXPECT_NEAR(world(cloud, 1).y() - world(cloud, 0).y(), 111.13, 0.05); // degrees of a thousandth at 45 degrees north
     EXPECT_NEAR(world(cloud, 1).x() - world(cloud, 0).x(), 78.85, 0.05);
     EXPECT_EQ(cloud.world.up, Vec3d(0, 0, 1));
     EXPECT_HAS(notesOf(read(path)), "is in degrees: *unit");
@@ -192,7 +192,7 @@ TEST_F(TableTest, AscendingCoordinatesStay) {
 }
 
 TEST_F(TableTest, ListsOfSurveyors) {
-    // number, northing, easting, height, description: told by the ranges of UTM
+    // number, northing, easting, height, description: recognised by the ranges of UTM
     const Cloud cloud = readText("a.txt", "1,5403210.5,512345.25,344.5,tree\n2,5403211,512346,345,\"kerb, low\"\n");
     EXPECT_EQ(world(cloud, 0), Vec3d(512345.25, 5403210.5, 344.5));
     EXPECT_HAS(notesOf(cloud), "column 1 *number *north, east");

@@ -72,7 +72,7 @@ TEST_F(LidarCommand, EveryFormatHoldsThePoints) {
     const std::string words = "--sensor " + kSensors + "flash.toml" + kMiddle + "--seed 3 -q -o ";
     ASSERT_EQ(lidar(words + "scan.csv").code, 0);
     const std::size_t count = rows("scan.csv").rows.size();
-    ASSERT_GT(count, 1000u); // the downward ones of 3072
+    ASSERT_GT(count, 1000u); // the downward ones of 3072 pulses
     ASSERT_EQ(lidar(words + "scan.ply --stats stats.json").code, 0);
     const std::string ply = text("scan.ply");
     EXPECT_NE(ply.find("element vertex " + std::to_string(count) + "\n"), std::string::npos);
@@ -83,7 +83,7 @@ TEST_F(LidarCommand, EveryFormatHoldsThePoints) {
     const std::string las = text("scan.las");
     EXPECT_EQ(las.substr(0, 4), "LASF");
     EXPECT_EQ(wordAt<std::uint32_t>(las, 107), count); // LAS 1.2: number of points
-    EXPECT_EQ(wordAt<std::uint32_t>(las, 111), count); // of first returns
+    EXPECT_EQ(wordAt<std::uint32_t>(las, 111), count); // number of first returns
     ASSERT_EQ(lidar(words + "again.ply").code, 0);
     EXPECT_EQ(text("again.ply"), ply);
 }
