@@ -85,8 +85,7 @@ bool overlapsCube(const PlacedDisc& disc, float half) {
     if (!bracket.isClosed()) return true;
     const float shift = bracket.root();
     const Vector to = toNearest(disc, shift, half);
-    // for any shift, the minimum of |to|^2 + 2 shift height over the cube: for any shift a lower bound for points in
-    // the plane
+    // for any shift, the minimum of |to|^2 + 2 shift height over the cube is a lower bound for points in the plane
     return dot(to, to) + 2 * shift * dot(disc.normal, to) <= disc.radius * disc.radius;
 }
 

@@ -18,9 +18,8 @@ namespace {
 /// Leaves per block, the unit of work of a thread.
 constexpr std::size_t kBlockLeaves = 64;
 
-/// First cutoff relative to the allowed harm. 2, by at most 2 w times its distance to the splat, which is at most half
-/// a radius./Dropping a splat of weight w moves a surface, whose weights sum to at least 1/2, by at most 2 w times its
-/// distance from the splat, which is at most half a radius./2, by at most 2 w times its distance to the splat, which is
+/// First cutoff relative to the allowed harm. Dropping a splat of weight w moves a surface, whose weights sum to at
+/// least 1/2, by at most 2 w times its distance from the splat, which is
 /// at most half a radius. Measured on 5 scans: at a cutoff of 0.001 fewer than 7 of 100,000 probes see a change.
 constexpr double kCutoffPerHarm = 10.0;
 constexpr double kFirstCutoffMax = 0.5;

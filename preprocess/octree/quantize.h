@@ -50,9 +50,8 @@ struct RadiusCoding {
     float step = 0; ///< octaves
 };
 
-/// Codes from the largest radius to the smallest one, at most 15.9 octaves.  2^n): equal radii in two files or tiles
-/// stay equal if these have the same n./Coded radii are from the series 2^(k / 2^n), so equal radii in two files or
-/// tiles stay equal if these have the same n./ 2^n): equal radii in two files or tiles stay equal if these have the
+/// Codes from the largest radius to the smallest one, at most 15.9 octaves. Coded radii are from the series
+/// 2^(k / 2^n), so equal radii in two files or tiles stay equal if these have the
 /// same n. The series of a larger n includes that of a smaller one.
 RadiusCoding radiusCoding(float radius_min, float radius_max);
 

@@ -79,9 +79,8 @@ std::vector<Candidate> enumerateCandidates(VkInstance instance, const QueueNeeds
 
 bool hasExtension(VkPhysicalDevice physical, const char* name);
 
-/// bench/NOTES.md)./The subgroup size to require for programs; 0: the driver chooses. It is 32 if the driver would
-/// choose more, as AMD's do, and the hardware supports 32: in a smaller subgroup, rays wait for fewer others
-/// (tests/bench/NOTES.md)./bench/NOTES.md).
+/// The subgroup size to require for programs; 0: the driver chooses. It is 32 if the driver would choose more, as AMD's
+/// do, and the hardware supports 32: in a smaller subgroup, rays wait for fewer others (tests/bench/NOTES.md).
 std::uint32_t subgroupSizeFor(const Candidate& candidate);
 
 /// Why candidate is unusable; empty if it is usable. Does not read candidate.physical and refusal.
