@@ -12,9 +12,9 @@
 
 namespace pointrt {
 
-/// Whether an instance is uneven, oriented, noisy, a tile clipped to its core or cut by clips, whether it may have balls
-/// (shaders/trace/instance.glsl) or holds Gaussians, how its buffers are read and its cells found, and the pages of its
-/// buffers (shaders/lib/pages.glsl).
+/// Whether an instance is uneven, oriented, noisy, a tile clipped to its core or cut by clips, whether it may have
+/// balls (shaders/trace/instance.glsl) or holds Gaussians, how its buffers are read and its cells found, and the pages
+/// of its buffers (shaders/lib/pages.glsl).
 struct InstanceTraits {
     bool uneven = false, oriented = false, noisy = false, clips_to_core = false, clipped = false, has_balls = false;
     bool is_gaussian = false;

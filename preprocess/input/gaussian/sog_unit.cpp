@@ -53,7 +53,8 @@ void decodeImage(SogImage& image) {
 /// Means are stored as sign(x) log(|x| + 1).
 double meanOf(double logarithm) { return std::copysign(std::expm1(std::abs(logarithm)), logarithm); }
 
-/// The three smaller parts of w x y z in bytes from -sqrt(1/2) to sqrt(1/2), and the index of the largest as 252 to 255.
+/// The three smaller parts of w x y z in bytes from -sqrt(1/2) to sqrt(1/2), and the index of the largest as 252 to
+/// 255.
 Eigen::Quaternionf rotationOfBytes(const std::uint8_t* bytes) {
     constexpr int kFirstMark = 252;
     if (bytes[3] < kFirstMark) return Eigen::Quaternionf::Identity();
