@@ -36,8 +36,10 @@ Thinning thinningOf(SurroundCounts counts);
 /// points whose neighbours are in no plane, at the scale at which points around are in one. The nearer half stays, the
 /// other half are points around: of thinned clouds whose cells double in width, in which a clump counts as one point,
 /// until they leave no gap of a third of a turn. At a border, where a gap stays at four times the distance, and in
-/// corners, takes points many of which have such lists. Leaves lists for which there is no plane (a wire), and those at
-/// borders of even samplings. Sets thinned and the spacings of these lists. Does nothing for fewer than 8 neighbours.
+/// corners, takes points many of which have such lists. Leaves lists for which there is no plane (a wire), those on a
+/// line that stands across the plane of what is around (posts, and trunks that several beams of a lidar have met), and
+/// those at borders of even samplings. Sets thinned and the spacings of these lists. Does nothing for fewer than 8
+/// neighbours.
 /// @param thinning finest_cells in the unit of the points; 0: replaces no list
 void surroundNeighborhoods(NeighborLists& lists, const PointSet& points, const NearestSearch& nearest,
                            const Thinning& thinning, const StageShare& share);
