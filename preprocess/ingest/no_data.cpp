@@ -70,6 +70,11 @@ std::optional<NoData> NoDataSurvey::zeroPlace() const {
     return std::nullopt;
 }
 
+/// Points with a height of 0 far from the others.
+bool NoDataSurvey::hasZeroHeight(bool is_low) const {
+    return candidate(2, is_low).value == 0 && timesAsFar(2, is_low) > kFarZero;
+}
+
 std::vector<NoData> NoDataSurvey::find() const {
     constexpr double kVeryFar = 100;
     std::vector<NoData> all;
@@ -82,13 +87,32 @@ std::vector<NoData> NoDataSurvey::find() const {
             if (!(far > 1)) continue;
             NoData found = candidate(axis, is_low);
             if (zero && found.points == zero->points) continue;
-            const bool few = kFew * found.points < points_, height_0 = axis == 2 && found.value == 0;
-            found.is_customary = isCustomaryValue(found.value) || (height_0 && few && far > kFarZero);
+            const bool few = kFew * found.points < points_, height_0 = axis == 2 && hasZeroHeight(is_low);
+            found.is_customary = isCustomaryValue(found.value) || (height_0 && few);
             if (found.is_customary || (few && far > kVeryFar)) all.push_back(found);
         }
     return all;
 }
 
-std::string nameOf(const NoData& no_data) { return fmt::format("{} = {:.10g}", "xyz"[no_data.axis], no_data.value); }
+std::optional<NoData> NoDataSurvey::findNoReturns() const {
+    // The soup of a mesh's triangles has six times as many points as the mesh: a vertex at the origin 6 of them.
+    constexpr std::uint64_t kFewest = 16, kInHundred = 100;
+    constexpr double kNear = 1e-5; // of the farthest coordinate: a millimetre in 100 m, which no scanner measures
+    if (zeros_ < kFewest || zeros_ == points_ || kInHundred * zeros_ < points_) return {};
+    if (zeroPlace() || hasZeroHeight(true) || hasZeroHeight(false)) return {}; // far from the others
+    double farthest = 0;
+    for (const auto* sides : {&low_, &high_})
+        for (const Extreme& side : *sides) farthest = std::max(farthest, std::abs(side.lowest));
+    NoData found;
+    found.is_origin = found.is_customary = true;
+    found.points = zeros_;
+    found.limit = kNear * farthest;
+    return found;
+}
+
+std::string nameOf(const NoData& no_data) {
+    if (no_data.is_origin) return "x = y = z = 0";
+    return fmt::format("{} = {:.10g}", "xyz"[no_data.axis], no_data.value);
+}
 
 } // namespace pointrt

@@ -13,8 +13,9 @@
 
 namespace pointrt {
 
-/// Points of a scan whose coordinate on an axis of the scan's frame marks missing data.
+/// Points of a scan whose coordinate on an axis of the scan's frame marks missing data, or that are at its origin.
 struct NoData {
+    bool is_origin = false; ///< pulses without a return: limit is how near the origin
     int axis = 0;
     double value = 0;
     std::uint64_t points = 0;
@@ -24,7 +25,10 @@ struct NoData {
     /// be valid.
     bool is_customary = false;
 
-    bool marks(const Vec3d& in_scan) const { return is_low ? in_scan[axis] < limit : in_scan[axis] > limit; }
+    bool marks(const Vec3d& in_scan) const {
+        if (is_origin) return in_scan.cwiseAbs().maxCoeff() < limit;
+        return is_low ? in_scan[axis] < limit : in_scan[axis] > limit;
+    }
 };
 
 /// The extreme values of each coordinate of a scan, and the values next to them.
@@ -32,6 +36,7 @@ class NoDataSurvey {
 public:
     void add(const Vec3d& in_scan) {
         ++points_;
+        zeros_ += in_scan.x() == 0 && in_scan.y() == 0 && in_scan.z() == 0;
         if ((in_scan.array() >= inner_low_.array()).all() && (in_scan.array() <= inner_high_.array()).all()) return;
         addExtremes(in_scan);
     }
@@ -40,6 +45,10 @@ public:
     /// than the extent of the others; x = y = 0, or z = 0 for a few points, ten times as far; any other value, for a
     /// few points, a hundred times as far, and it does not count as customary.
     std::vector<NoData> find() const;
+
+    /// Points at 0, 0, 0 between the others, as drivers of scanners write pulses without a return: then the scanner is
+    /// there. Nothing if a surface may have them: less than one in a hundred, or fewer than 16.
+    std::optional<NoData> findNoReturns() const;
 
 private:
     /// The lowest value, how many points have it, and the next higher one.
@@ -62,10 +71,11 @@ private:
 
     void addExtremes(const Vec3d& in_scan);
     std::optional<NoData> zeroPlace() const;
+    bool hasZeroHeight(bool is_low) const;
     NoData candidate(std::size_t axis, bool is_low) const;
     double timesAsFar(std::size_t axis, bool is_low) const;
 
-    std::uint64_t points_ = 0;
+    std::uint64_t points_ = 0, zeros_ = 0;
     std::array<Extreme, 3> low_, high_; ///< high_: for the negated values
     /// The values next to the extremes: points between them, which are nearly all points of a scan, change nothing.
     Vec3d inner_low_ = Vec3d::Constant(std::numeric_limits<double>::infinity()), inner_high_ = -inner_low_;

@@ -260,6 +260,7 @@ void Sink::finishScan(const InputFile& input, const std::string& title, Emptines
     cloud.points_filtered += scan_.vertices - scan_.non_finite - scan_.withheld - scan_.no_data - kept;
     scans.push_back({input.name, scan_.points_before, kept, scan_.faces.any(cloud)});
     cloud.scans.push_back({title.empty() ? input.name : input.name + ": " + title, {}, scan_.points_before});
+    findNoReturns(input);
     if (scan_.sensor) setSensor(transform.position(*scan_.sensor));
     finishGrid(*this, input);
     findNoData(input);
@@ -267,10 +268,23 @@ void Sink::finishScan(const InputFile& input, const std::string& title, Emptines
     storage_->releaseScan(scan_, input);
 }
 
+/// Splats and meshes have no missing points.
+bool Sink::mayLackData() const { return finds_no_data && !scan_.traits.radii && !scan_.faces.any(cloud); }
+
+/// Pulses without a return, which tell where the scanner is.
+void Sink::findNoReturns(const InputFile& input) {
+    const auto found = mayLackData() ? survey_.findNoReturns() : std::nullopt;
+    if (!found) return;
+    no_data.push_back({scans.size() - 1, *found, transform.scanFromWorld()});
+    if (!scan_.sensor) scan_.sensor = Vec3d::Zero();
+    note(input, fmt::format("has {} points with {}, which mark pulses without a return: they are left out, and the "
+                            "scanner is taken to be there",
+                            found->points, nameOf(*found)));
+}
+
 /// Customary values are left out once all files are read or, if points are handed on before that, in the next pass.
 void Sink::findNoData(const InputFile& input) {
-    // splats and meshes have no missing points
-    if (!finds_no_data || scan_.traits.radii || scan_.faces.any(cloud)) return;
+    if (!mayLackData()) return;
     for (const NoData& each : survey_.find()) {
         if (each.is_customary) {
             no_data.push_back({scans.size() - 1, each, transform.scanFromWorld()});

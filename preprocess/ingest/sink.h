@@ -163,6 +163,8 @@ private:
     void requirePoints(const InputFile& input, std::size_t kept) const;
     std::uint8_t classOf(const char* values) const;
     bool dropsNoData(const Vec3d& in_scan, const Vec3d& position);
+    bool mayLackData() const;
+    void findNoReturns(const InputFile& input);
     void findNoData(const InputFile& input);
     void noteWithheld(const InputFile& input);
 

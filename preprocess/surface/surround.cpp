@@ -15,6 +15,7 @@
 #include "preprocess/surface/angle_gaps.h"
 #include "preprocess/surface/nearest_cache.h"
 #include "preprocess/surface/plane_fit.h"
+#include "preprocess/surface/suspicion.h"
 #include "preprocess/surface/thinned_cloud.h"
 
 namespace pointrt::surface {
@@ -23,14 +24,8 @@ namespace {
 /// With fewer neighbours, random ones are on one side too often.
 constexpr std::size_t kFewestToSurround = 8;
 
-/// A list is on a line if its points spread so much further along it than across that (b + c) a / (a + b + c)^2 is
-/// below this, for eigenvalues a >> b, c of the covariance: 1 in 5 for (b + c) / a. Random neighbours on a surface form
-/// such a list in 1 of 250 cases.
-constexpr double kSureLine = 0.139;
-/// A list below this may be on a line: trails of clumps are, but so are the border of a surface and 1 in 10 random
-/// lists. It counts as one if the lists of an eighth of its neighbours are also below it; any list counts if those of a
-/// quarter are.
-constexpr double kElongated = 0.2;
+/// A list that may be on a line counts as one if the lists of an eighth of its neighbours are on a line, too; any list
+/// counts if those of a quarter are.
 constexpr std::size_t kPartForElongated = 8, kPartForAny = 4;
 
 /// Points around are on a surface if the misfit of their plane is below this: 0 on a plane, more than 0.2 for all but 1
@@ -55,11 +50,6 @@ constexpr double kShareOnSurface = 1.0 / 3;
 /// corner.
 constexpr double kShareToCount = 1.0 / 50;
 
-/// A list is clumpy if its last neighbour is at least this many times as far away as its sixth: the ratio is 1.6 on a
-/// surface and 2.7 on a line. At 3, 1 in 250 random lists is clumpy.
-constexpr float kClumpy = 4;
-constexpr std::size_t kClumpSize = 6;
-
 /// Levels at which a point counts as isolated (ThinnedCloud): those whose cells are as wide as its list, or twice as
 /// wide, which suits clumps of up to a hundred points. At coarser levels small objects would be clumps, and whole scans
 /// lines.
@@ -78,57 +68,10 @@ constexpr std::size_t kMoreLevels = 2;
 /// Every 16th list is enough for shares of a hundredth and quantiles, of more points than these.
 constexpr std::size_t kSampleStep = 16, kManyPoints = 16384;
 
-/// What is suspicious about a point's nearest neighbours.
-enum class Suspicion : std::uint8_t {
-    kUnsuspected,
-    kMaybeLine, ///< they may be on a line
-    kOnLine,    ///< they are on a line
-    kInClump,   ///< most are in a clump, the others far away
-    kAlone,     ///< they are in a clump or a thick line, however many they are
-    kInNoise,   ///< they are in no plane, in a noisy cloud
-    kOnOneSide  ///< they leave half of the plane empty
-};
-
-/// Whether (b + c) a / (a + b + c)^2 is below a limit; avoids an eigenvalue solver.
-bool isElongated(const Moments& moments, double limit) {
-    const auto& [xx, xy, xz, yy, yz, zz] = moments.covariance;
-    const double trace = double(xx) + yy + zz;
-    const double invariant =
-        double(xx) * yy + double(xx) * zz + double(yy) * zz - double(xy) * xy - double(xz) * xz - double(yz) * yz;
-    return invariant < limit * trace * trace;
-}
-
-/// Moments of a list, in float: that is precise enough to distinguish lines from planes, and takes a third of the time
-/// of momentsOf.
-Moments quickMoments(const NeighborLists& lists, const PointSet& points, std::size_t point) {
-    const Vec3f from = points.positions[point];
-    Vec3f sum = Vec3f::Zero();
-    float xx = 0, xy = 0, xz = 0, yy = 0, yz = 0, zz = 0;
-    for (const std::uint32_t other : lists.of(point)) {
-        const Vec3f offset = points.positions[other] - from;
-        sum += offset;
-        xx += offset.x() * offset.x(), xy += offset.x() * offset.y(), xz += offset.x() * offset.z();
-        yy += offset.y() * offset.y(), yz += offset.y() * offset.z(), zz += offset.z() * offset.z();
-    }
-    const auto count = float(lists.k + 1);
-    const Vec3f mean = sum / count;
-    const float mx = mean.x(), my = mean.y(), mz = mean.z();
-    return {mean,
-            {xx / count - mx * mx, xy / count - mx * my, xz / count - mx * mz, yy / count - my * my,
-             yz / count - my * mz, zz / count - mz * mz}};
-}
-
-Suspicion suspicionOf(const NeighborLists& lists, const PointSet& points, std::size_t point) {
-    const Moments moments = quickMoments(lists, points, point);
-    if (lists.radius(points, point) > kClumpy * lists.distance(points, point, kClumpSize - 1))
-        return Suspicion::kInClump;
-    if (isElongated(moments, kSureLine)) return Suspicion::kOnLine;
-    return isElongated(moments, kElongated) ? Suspicion::kMaybeLine : Suspicion::kUnsuspected;
-}
-
 /// Points around a point, in its plane.
 struct Around {
     float misfit = 0;                  ///< misfit of their plane; infinite if they are on a line
+    Vec3f normal = Vec3f::Zero();      ///< normal of their plane, if that fits
     std::uint8_t flags = 0;            ///< bits of ListFlag
     float widest_gap = 0;              ///< an angle
     std::vector<std::uint32_t> points; ///< nearest first; those in different directions before the others
@@ -203,6 +146,7 @@ struct SurroundSearch {
     Around examineLevel(std::size_t number, std::size_t point, float least, float misfit);
     std::optional<std::size_t> isolatedLevel(std::size_t point) const;
     bool isBetter(const Around& around, Suspicion suspicion) const;
+    bool holdsList(std::size_t point, const Around& around) const;
     bool isAmongFound(std::size_t point, bool maybe) const;
     SurroundPlan plan(std::size_t point) const;
     std::optional<Around> surround(std::size_t point);
@@ -228,9 +172,10 @@ Around SurroundSearch::examine(std::size_t point, std::span<const std::uint32_t>
                                float misfit) const {
     Around around;
     const Moments moments = momentsOf(points, others, point);
-    around.misfit = isElongated(moments, kSureLine) ? std::numeric_limits<float>::infinity() : misfitOf(moments);
+    around.misfit = isOnLine(moments) ? std::numeric_limits<float>::infinity() : misfitOf(moments);
     if (!(around.misfit < misfit)) return around;
     const PlaneFit plane = fitPlane(moments);
+    around.normal = plane.normal;
     const Vec3f u = plane.normal.unitOrthogonal(), v = plane.normal.cross(u);
     std::vector<Direction> directions;
     for (const std::uint32_t other : others) {
@@ -271,6 +216,24 @@ bool SurroundSearch::isBetter(const Around& around, Suspicion suspicion) const {
     const auto on_surface = std::count_if(around.points.begin(), around.points.end(),
                                           [&](std::uint32_t other) { return found_before[other] != 0; });
     return double(on_surface) >= kShareOnSurface * double(around.points.size());
+}
+
+/// Whether the plane of the points around a line holds the list: the line, and what the list has of the next ones. A
+/// post is a line, too, and so are the arcs of several beams on a trunk, but the ground and other posts lie in planes
+/// across them.
+bool SurroundSearch::holdsList(std::size_t point, const Around& around) const {
+    // Sine of 53 degrees, as over a crease the plane is between both faces; share of the list's radius, below which
+    // points may be off by noise; one point in so many may be off.
+    constexpr float kOff = 0.8f, kFar = 0.4f;
+    constexpr std::size_t kFewOff = 8;
+    const float far = kFar * lists.radius(points, point);
+    const auto list = lists.of(point);
+    const auto off = std::count_if(list.begin(), list.end(), [&](std::uint32_t other) {
+        const Vec3f offset = points.positions[other] - points.positions[point];
+        const float distance = offset.norm();
+        return distance >= far && std::abs(around.normal.dot(offset)) > kOff * distance;
+    });
+    return kFewOff * std::size_t(off) <= list.size();
 }
 
 /// Whether enough neighbours of a point were on lines or in clumps. @param maybe the point's own may be, too
@@ -399,7 +362,8 @@ std::optional<Around> SurroundSearch::surround(std::size_t point) {
     const std::uint8_t flags = kThinned | (suspicion >= Suspicion::kInClump ? kClump : 0);
     const auto take = [&, suspicion = suspicion](Around& around) {
         around.flags = std::uint8_t(flags | (around.widest_gap < kWidestGap ? 0 : kOpen));
-        return around.points.size() >= lists.k - lists.denseCount() && isBetter(around, suspicion);
+        return around.points.size() >= lists.k - lists.denseCount() && isBetter(around, suspicion) &&
+               (suspicion != Suspicion::kOnLine || holdsList(point, around));
     };
     // In the first round, isBetter accepts nothing else; in the second, also corners.
     const float misfit = found_before.empty() ? flatFor(suspicion) : kCorner;
@@ -471,18 +435,6 @@ bool isIsolated(const NeighborLists& lists, const PointSet& points, const Neares
     found.resize(kFewTimes * lists.k);
     const float reach = kFarther * lists.radius(points, point);
     return nearest.within(points.positions[point], reach * reach, found) <= found.size();
-}
-
-bool isInNoPlane(const NeighborLists& lists, const PointSet& points, std::size_t point, float misfit) {
-    const float own = misfitOf(quickMoments(lists, points, point));
-    return own > misfit && std::isfinite(own);
-}
-
-/// Whether the neighbours of a point are on one side of it: their mean is as far off as in half a disc (0.42 radii),
-/// but for chance. 1 in 50 lists of random neighbours all around is.
-bool isOneSided(const NeighborLists& lists, const PointSet& points, std::size_t point) {
-    constexpr float kOffCenter = 0.35f;
-    return quickMoments(lists, points, point).mean.norm() > kOffCenter * lists.radius(points, point);
 }
 
 /// Finds the points within a distance, or some thousand of them if there are more.

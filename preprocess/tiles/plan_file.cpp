@@ -118,7 +118,8 @@ PlanSchema schemaOf(const OrderedJson& json) {
 OrderedJson noDataJson(const std::vector<NoData>& no_data) {
     OrderedJson json = OrderedJson::array();
     for (const NoData& each : no_data)
-        json.push_back({{"axis", each.axis}, {"is_low", each.is_low}, {"limit", each.limit}});
+        json.push_back(
+            {{"is_origin", each.is_origin}, {"axis", each.axis}, {"is_low", each.is_low}, {"limit", each.limit}});
     return json;
 }
 
@@ -126,6 +127,7 @@ std::vector<NoData> noDataOf(const OrderedJson& json) {
     std::vector<NoData> all;
     for (const OrderedJson& each : json) {
         NoData& no_data = all.emplace_back();
+        no_data.is_origin = each.contains("is_origin") && take<bool>(each, "is_origin"); // not in older sets
         no_data.axis = take<int>(each, "axis");
         no_data.is_low = take<bool>(each, "is_low");
         no_data.limit = take<double>(each, "limit");

@@ -55,6 +55,43 @@ TEST_F(MisreadTest, PointsAtZeroFarFromTheOthersAreLeftOut) {
     EXPECT_EQ(readText("b.xyz", terrain(place, -10, -10)).points_no_data, 0u);
 }
 
+TEST_F(MisreadTest, PulsesWithoutAReturnTellWhereTheScannerIs) {
+    const auto frame = [&](int none, int points) {
+        std::string text;
+        for (int i = 0; i < points; ++i)
+            text += i < none ? "0 0 0\n" : fmt::format("{} {} {}\n", i % 23 - 9.5, i % 17 - 7.5, i % 5 - 1.5);
+        return text;
+    };
+    const Cloud cloud = readText("a.xyz", frame(20, 400));
+    EXPECT_EQ(cloud.positions.size(), 380u);
+    EXPECT_EQ(cloud.points_no_data, 20u);
+    ASSERT_TRUE(cloud.scans[0].sensor.has_value());
+    EXPECT_EQ(*cloud.scans[0].sensor, Vec3d(0, 0, 0));
+    EXPECT_EQ(cloud.sensor_of_point, std::vector<std::uint32_t>(380, 0));
+    EXPECT_HAS(notesOf(cloud), "a.xyz: *20 points with x = y = z = 0*left out*scanner");
+
+    ReadOptions options;
+    options.transform = Eigen::Affine3d(Eigen::Translation3d(512345.25, 5403210.5, 30));
+    const Cloud moved = read(write("b.xyz", frame(20, 400)), options);
+    EXPECT_EQ(moved.positions.size(), 380u);
+    ASSERT_TRUE(moved.scans[0].sensor.has_value());
+    EXPECT_EQ(*moved.scans[0].sensor, Vec3d(512345.25, 5403210.5, 30));
+}
+
+TEST_F(MisreadTest, FewPointsAtTheOriginAreASurface) {
+    const auto grid = [&](int zeros, int points) {
+        std::string text;
+        for (int i = 0; i < points; ++i)
+            text += i < zeros ? "0 0 0\n" : fmt::format("{} {} {}\n", i % 50 - 25, i / 50, i % 3);
+        return text;
+    };
+    for (const auto& [zeros, points] : {std::pair(15, 400), std::pair(20, 2500)}) {
+        const Cloud cloud = readText("a.xyz", grid(zeros, points));
+        EXPECT_EQ(cloud.points_no_data, 0u) << zeros;
+        EXPECT_FALSE(cloud.scans[0].sensor.has_value()) << zeros;
+    }
+}
+
 TEST_F(MisreadTest, HeightsOfZeroFarBelowTheOthersAreLeftOut) {
     const auto marked = [](int i) {
         return i % 10 == 0 ? fmt::format("{} {} 0\n", 512345 + i % 20, 5403210 + i / 20) : std::string();

@@ -99,6 +99,34 @@ Shape ringsAndArcs() {
     return shape;
 }
 
+/// What a spinning lidar of 32 beams sees of flat ground, and of two rows of posts 0.4 thick and 8 to 20 away: at most
+/// 16 points of a beam on a post, whose arcs are as far apart as it is thick. The noise is that of the range.
+Shape postsOnGround() {
+    constexpr double kHeight = 1.7, kRadius = 0.2, kDegree = std::numbers::pi / 180;
+    Random random(37);
+    Shape shape;
+    std::vector<Eigen::Vector2d> posts;
+    for (int post = 0; post < 8; ++post) posts.push_back({3.0 + 2 * post, 8}), posts.push_back({-3.0 - 2 * post, 10});
+    for (int beam = 0; beam < 32; ++beam)
+        for (int column = 0; column < 2000; ++column) {
+            const double azimuth = 0.18 * column * kDegree, elevation = (-30.67 + 1.333 * beam) * kDegree;
+            const Eigen::Vector2d ahead(std::cos(azimuth), std::sin(azimuth));
+            double level = elevation < -2 * kDegree ? kHeight / std::tan(-elevation) : 1e9;
+            Vec3d normal = Vec3d::UnitZ();
+            for (const Eigen::Vector2d& post : posts) {
+                const double along = ahead.dot(post), apart = ahead.x() * post.y() - ahead.y() * post.x();
+                const double reached = along - std::sqrt(std::max(kRadius * kRadius - apart * apart, 0.0));
+                if (std::abs(apart) > 0.95 * kRadius || reached < 0 || reached > level) continue;
+                level = reached;
+                normal << (reached * ahead - post) / kRadius, 0;
+            }
+            if (level > 50) continue;
+            level += 0.01 * gaussian(random);
+            shape.add(Vec3d(level * ahead.x(), level * ahead.y(), level * std::tan(elevation)), normal);
+        }
+    return shape;
+}
+
 /// Bands of points, half as wide as the gaps between them, as a slowly moving lidar leaves: 24 lines each. The noise is
 /// nearly two spacings.
 Shape bands() {
@@ -224,6 +252,23 @@ TEST(Surround, ArcsOfSingleBeamsAreNoPlates) {
         if (splats.positions[i].z() > 0) widest = std::max(widest, splats.radii[i]);
     EXPECT_GT(widest, 0);
     EXPECT_LT(widest, 0.75f) << "twelve steps; measured: 0.5";
+}
+
+TEST(Surround, PostsThatSeveralBeamsMeetStandUpright) {
+    const Shape shape = postsOnGround();
+    const Splats splats = estimate(shape.cloud());
+    int on_posts = 0, flat = 0, on_ground = 0, steep = 0;
+    for (std::size_t i = 0; i < splats.positions.size(); ++i) {
+        if (splats.input_index[i] >= shape.positions.size()) continue; // filled
+        const double z = std::abs(splats.normals[i].z());
+        if (shape.normals[splats.input_index[i]].z() == 0)
+            ++on_posts, flat += z > 0.7;
+        else
+            ++on_ground, steep += z < 0.7;
+    }
+    ASSERT_GT(on_posts, 2000);
+    EXPECT_LT(flat, on_posts / 20);
+    EXPECT_LT(steep, on_ground / 50) << "beside the posts, and in their shadows; measured: one in 80";
 }
 
 TEST(Surround, NoiseWiderThanTheSpacingIsSmoothed) {
