@@ -117,6 +117,7 @@ TEST_F(PretendedDevices, TraceASampleInOneSubmission) {
         loaded->tracer.buffers.lanes = kSide * kSide / parts;
         RayCounts rays;
         BandSample sample = openBand(loaded->tracer, settings, loaded->camera, {0, kSide}, {kSide * kSide, 0});
+        waitForSubmitted(device); // of loading, which a busy machine may still be at
         const Counts counts;
         tracePasses(device, loaded->tracer, sample, kBounces, rays);
         EXPECT_TRUE(sample.done);

@@ -77,8 +77,8 @@ void expectTruth(const std::string& name, const nlohmann::json& facts) {
     SCOPED_TRACE(name);
     const Cloud cloud = readInputs({(dataFolder() / name).string()}, {});
     EXPECT_EQ(cloud.points_read, wantedPoints(facts["points"]));
-    EXPECT_EQ(cloud.points_read,
-              cloud.positions.size() + cloud.points_non_finite + cloud.points_unused + cloud.points_filtered);
+    EXPECT_EQ(cloud.points_read, cloud.positions.size() + cloud.points_non_finite + cloud.points_unused +
+                                     cloud.points_filtered + cloud.points_no_data);
     const bool black = facts.value("note", "").find("rgb max 0") != std::string::npos; // not counted as colours
     EXPECT_EQ(!cloud.colors.empty(), facts["col"].get<bool>() && !black);
     EXPECT_EQ(!cloud.triangles.empty(), facts["faces"].get<int>() > 0);
