@@ -345,8 +345,7 @@ void Sink::setSensor(const Vec3d& world_position) {
 }
 
 void Sink::setSensorAlongZ() {
-    // At this many diagonals from the points or more, the directions to all points are within 3 degrees (atan(0.5 /
-    // 10)).
+    // From this far or farther, the directions to all points are within atan(0.5 / 10), 3 degrees.
     constexpr double kSensorDiagonals = 10;
     const ScanRange& scan = scans.back();
     const Eigen::Affine3d scan_from_world = transform.scanFromWorld();
