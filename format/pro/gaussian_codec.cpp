@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <span>
 
 #include "format/pro/position_codes.h"
 #include "pointrt/pro.h"
@@ -137,13 +138,9 @@ void pro_gaussian_decode(const pro_gaussians* coding, const uint32_t splat[4], c
 void pro_gaussian_at(const pro_gaussians* gaussians, const uint32_t* splats, uint32_t index, pro_gaussian* gaussian) {
     const std::size_t k = index;
     pro_gaussian_decode(gaussians, splats + k * PRO_SPLAT_WORDS, gaussians->words + k * PRO_GAUSSIAN_WORDS, gaussian);
-    const pro_exact_gaussian *const end = gaussians->exact + gaussians->exact_count,
-                                    *const found =
-                                        std::lower_bound(gaussians->exact, end, index,
-                                                         [](const pro_exact_gaussian&each, std::uint32_t wanted) {
-                                                             return each.index < wanted;
-                                                         });
-    if (found == end || found->index != index) return;
+    const std::span exact(gaussians->exact, gaussians->exact_count);
+    const auto found = std::ranges::lower_bound(exact, index, {}, &pro_exact_gaussian::index);
+    if (found == exact.end() || found->index != index) return;
     std::copy_n(found->rotation, 4, gaussian->rotation);
     std::copy_n(found->deviation, 3, gaussian->deviation);
     gaussian->opacity = found->opacity;

@@ -9,7 +9,7 @@
 namespace pointrt {
 namespace {
 
-/// Length of the text from the quote at the start of text to the closing quote; npos if there is none.
+/// Number of characters between the quote at the start of text and the closing quote; npos if no quote closes it.
 std::size_t quotedLength(std::string_view text) {
     for (std::size_t at = text.find('"', 1); at != std::string_view::npos; at = text.find('"', at + 2))
         if (at + 1 == text.size() || text[at + 1] != '"') return at - 1;

@@ -201,17 +201,18 @@ std::vector<pro_exact_gaussian> exactWhereCodesShow(const GaussianCloud& gaussia
                                                     const pro_gaussians& coding) {
     const std::size_t count = splats.words.size();
     const double usual = usualDeviation(gaussians) / splats.frame.scale;
-    std::vector<pro_exact_gaussian> all(count);
+    const auto exactAt = [&](std::size_t k) {
+        return exactOf(inCube(gaussians, splats.input_index[k], splats.frame), static_cast<std::uint32_t>(k));
+    };
     std::vector<char> shows(count);
     tbb::parallel_for(std::size_t{0}, count, [&](std::size_t k) {
-        all[k] = exactOf(inCube(gaussians, splats.input_index[k], splats.frame), static_cast<std::uint32_t>(k));
         pro_gaussian decoded;
         pro_gaussian_decode(&coding, splats.words[k].data(), coding.words + k * PRO_GAUSSIAN_WORDS, &decoded);
-        shows[k] = codesShow(all[k], decoded, usual);
+        shows[k] = codesShow(exactAt(k), decoded, usual);
     });
     std::vector<pro_exact_gaussian> exact;
-    std::copy_if(all.begin(), all.end(), std::back_inserter(exact),
-                 [&](const pro_exact_gaussian& each) { return shows[each.index] != 0; });
+    for (std::size_t k = 0; k < count; ++k)
+        if (shows[k]) exact.push_back(exactAt(k));
     return exact;
 }
 

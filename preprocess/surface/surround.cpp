@@ -146,7 +146,7 @@ struct SurroundSearch {
     Around examineLevel(std::size_t number, std::size_t point, float least, float misfit);
     std::optional<std::size_t> isolatedLevel(std::size_t point) const;
     bool isBetter(const Around& around, Suspicion suspicion) const;
-    bool holdsList(std::size_t point, const Around& around) const;
+    bool liesInPlane(std::size_t point, const Around& around) const;
     bool isAmongFound(std::size_t point, bool maybe) const;
     SurroundPlan plan(std::size_t point) const;
     std::optional<Around> surround(std::size_t point);
@@ -218,20 +218,18 @@ bool SurroundSearch::isBetter(const Around& around, Suspicion suspicion) const {
     return double(on_surface) >= kShareOnSurface * double(around.points.size());
 }
 
-/// Whether the plane of the points around a line holds the list: the line, and what the list has of the next ones. A
-/// post is a line, too, and so are the arcs of several beams on a trunk, but the ground and other posts lie in planes
-/// across them.
-bool SurroundSearch::holdsList(std::size_t point, const Around& around) const {
-    // Sine of 53 degrees, as over a crease the plane is between both faces; share of the list's radius, below which
-    // points may be off by noise; one point in so many may be off.
-    constexpr float kOff = 0.8f, kFar = 0.4f;
-    constexpr std::size_t kFewOff = 8;
+/// Whether the list of a point on a line lies in the plane of the points around it. Arcs of several beams on a post or
+/// a trunk form a line, too, but the planes of the ground and of other posts stand across it.
+bool SurroundSearch::liesInPlane(std::size_t point, const Around& around) const {
+    constexpr float kSteep = 0.8f;     // sine of 53 degrees: at a crease, the plane lies between both faces
+    constexpr float kFar = 0.4f;       // of the list's radius: the directions to nearer points are noise
+    constexpr std::size_t kFewOff = 8; // up to one point in 8 may leave the plane
     const float far = kFar * lists.radius(points, point);
     const auto list = lists.of(point);
     const auto off = std::count_if(list.begin(), list.end(), [&](std::uint32_t other) {
         const Vec3f offset = points.positions[other] - points.positions[point];
         const float distance = offset.norm();
-        return distance >= far && std::abs(around.normal.dot(offset)) > kOff * distance;
+        return distance >= far && std::abs(around.normal.dot(offset)) > kSteep * distance;
     });
     return kFewOff * std::size_t(off) <= list.size();
 }
@@ -363,7 +361,7 @@ std::optional<Around> SurroundSearch::surround(std::size_t point) {
     const auto take = [&, suspicion = suspicion](Around& around) {
         around.flags = std::uint8_t(flags | (around.widest_gap < kWidestGap ? 0 : kOpen));
         return around.points.size() >= lists.k - lists.denseCount() && isBetter(around, suspicion) &&
-               (suspicion != Suspicion::kOnLine || holdsList(point, around));
+               (suspicion != Suspicion::kOnLine || liesInPlane(point, around));
     };
     // In the first round, isBetter accepts nothing else; in the second, also corners.
     const float misfit = found_before.empty() ? flatFor(suspicion) : kCorner;

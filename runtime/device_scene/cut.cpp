@@ -139,7 +139,7 @@ private:
         return true;
     }
 
-    /// A tile of the cut that touches this one, is of a higher level and has children; none if there is none.
+    /// A coarser tile of the cut that touches this one and may be refined; nullopt if no tile does.
     std::optional<std::uint32_t> coarserNeighbor(std::uint32_t number) const {
         const SetTile& tile = set_.tiles[number];
         for (int place = 0; place < 27; ++place) {

@@ -157,7 +157,7 @@ void openTile(const OpenedSet& set, TileFile& file) {
         requireTile(set.set, set.set.tiles[file.tile], set.folder);
         const std::string path = tilePath(set, file.tile);
         file.scan = mapTracedScan(path);
-        // programs and buffers are chosen by what the set is said to contain
+        // set.json says what the tiles contain, and programs and buffers are chosen accordingly
         if (file.scan.is_gaussian != set.set.gaussians)
             throw Error(ExitCode::kBadInput, path + ": belongs to another set (only one of them holds Gaussians)");
     } catch (...) {

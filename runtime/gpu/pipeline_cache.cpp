@@ -52,7 +52,7 @@ std::string fileFor(const VkPhysicalDeviceProperties& properties) {
     return folder + name;
 }
 
-/// The bytes of the file at path that the device and driver can use; empty if there are none.
+/// The pipeline cache in the file at path; empty if the file is missing, damaged, or from another device or driver.
 std::vector<std::uint8_t> readKept(const std::string& path, const VkPhysicalDeviceProperties& properties) {
     std::vector<std::uint8_t> bytes;
     try {

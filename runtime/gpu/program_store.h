@@ -31,8 +31,7 @@ public:
     /// Limit for unused programs that are kept: a scene has up to twenty, so this keeps those of the last three scenes.
     static constexpr std::size_t kUnusedKept = 64;
 
-    /// The program with this key; builds it if there is none. Two threads may build the same one at once; one is then
-    /// kept.
+    /// The program with this key, built on first use. If two threads build the same program at once, one copy is kept.
     Program take(Device& device, const ProgramKey& key, const std::function<Program()>& build);
     /// Ends one use of a program. If more than kUnusedKept are then unused, frees the least recently used of them.
     void release(Device& device, const Program& program);

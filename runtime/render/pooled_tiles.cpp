@@ -21,7 +21,7 @@ InstanceTraits sharedTraits(InstanceTraits traits) {
     return traits;
 }
 
-/// The last group whose programs suit the tile; null if there is none or it is full.
+/// The last group whose programs suit the tile; null if no group does, or if that group is full.
 PooledGroup* groupFor(const DeviceScene& scene, const Instance& tile, std::vector<PooledGroup>& groups) {
     const InstanceTraits traits = sharedTraits(traitsOf(scene, tile));
     const auto group = std::find_if(groups.rbegin(), groups.rend(), [&](const PooledGroup& each) {

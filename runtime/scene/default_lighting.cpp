@@ -222,7 +222,7 @@ void addStudio(SceneDescription& scene, const Staging& staging, const StudioSubj
     const float gain = lampGain(subject), grey = studio.floor / gain;
     if (subject.around_eye) return addEyeLamp(scene, staging, subject);
     const double level = staging.floor - kStudioGap * staging.radius;
-    // seen from below, a floor would hide the scene, so there is none and the lamps also shine from below
+    // a camera below the scene would see only the floor: leave it out, and put the lamps below, too
     const bool below = dot(staging.eye - staging.center, staging.up) <= level;
     if (has_floor && !below && !subject.is_ground) addFloor(scene, staging, level, grey);
     const Vec3 lamps_up = (below ? -1.0 : 1.0) * staging.up;

@@ -19,7 +19,7 @@ namespace {
 
 /// The properties of a scene that a plan needs.
 struct PlanScene {
-    std::optional<Bounds> bounds; ///< bounds of its visible scans; none if there are none
+    std::optional<Bounds> bounds; ///< bounds of the visible scans; nullopt if no scan is visible
     std::optional<Vec3> up;       ///< up of the first scan that stores it
     int epsg = 0; ///< coordinate system of all scans, if they are at the place that their files state; 0: unknown
 };

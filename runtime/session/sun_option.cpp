@@ -82,7 +82,7 @@ SunPosition positionOf(const SunOption& sun, const EarthPlace& place) {
     return position;
 }
 
-/// The index of the first sun; adds one if there is none.
+/// The index of the first sun; adds a sun if the scene has no sun.
 std::uint32_t sunOf(SceneDescription& scene) {
     for (std::size_t i = 0; i < scene.lights.size(); ++i)
         if (std::holds_alternative<SunLight>(scene.lights[i])) return static_cast<std::uint32_t>(i);

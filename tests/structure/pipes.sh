@@ -4,19 +4,19 @@
 # usage: pipes.sh REPOSITORY|can_fail
 set -euo pipefail
 
-# earlyEnds FOLDER: prints the places; succeeds if there are none.
-earlyEnds() { ! grep -rnE --include='*.sh' --exclude-dir=build --exclude-dir=.git '[^|]\| *grep +-[a-zA-Z]*q' "$1"; }
+# hasNoEarlyEnd FOLDER: succeeds if no script pipes into grep -q; prints each line that does.
+hasNoEarlyEnd() { ! grep -rnE --include='*.sh' --exclude-dir=build --exclude-dir=.git '[^|]\| *grep +-[a-zA-Z]*q' "$1"; }
 
 if [ "$1" = can_fail ]; then
     work=$(mktemp -d)
     trap 'rm -rf "$work"' EXIT
     printf 'tool || grep -q a file\ntool | grep a >/dev/null\n' >"$work/a.sh"
-    earlyEnds "$work"
+    hasNoEarlyEnd "$work"
     printf 'tool %s grep -Eq a\n' '|' >"$work/b.sh"
-    ! earlyEnds "$work" >"$work/found"
+    ! hasNoEarlyEnd "$work" >"$work/found"
     grep -q 'b.sh:1:' "$work/found"
 else
-    earlyEnds "$1" || {
+    hasNoEarlyEnd "$1" || {
         echo "these scripts pipe into grep -q: let grep read to the end (>/dev/null)" >&2
         exit 1
     }

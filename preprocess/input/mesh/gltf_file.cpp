@@ -19,7 +19,7 @@ std::uint32_t wordAt(std::string_view bytes, std::size_t at) {
     return static_cast<std::uint32_t>(loadScalar(bytes.data() + at, Scalar::kU32, false));
 }
 
-/// Takes a chunk of this type from the front of the rest; nullopt if there is none or it has another type.
+/// Takes the next chunk from the front of rest; nullopt if it is not of this type, or if the file ends.
 std::optional<std::string_view> takeChunk(const InputFile& input, std::string_view& rest, std::string_view type) {
     if (rest.size() < kChunkHeader || rest.substr(4, 4) != type) return std::nullopt;
     const std::uint32_t size = wordAt(rest, 0);

@@ -56,7 +56,7 @@ std::string packedPly(std::uint32_t count, bool color_range, std::uint32_t rotat
     text += "end_header\n";
     for (std::uint32_t i = 0; i < chunks; ++i) {
         const float x = 100 * static_cast<float>(i);
-        // 1.5 is 3 of 2047 steps of half a unit; -2 is 1 of 1023 steps of 1 from -3; 0.25 is none of them
+        // x = 1.5 is 3 of 2047 steps of 0.5; y = -2 is 1 of 1023 steps of 1 above -3; z = 0.25 is the minimum, 0 steps
         for (const float value : {x, -3.f, 0.25f, x + 1023.5f, 1020.f, 100.f, -2.f, -3.f, -5.f, -2.f, -3.f, -5.f})
             text += bytesOf(value);
         for (const float value : {0.f, 0.f, 0.f, 1.f, 2.f, 1.f})
