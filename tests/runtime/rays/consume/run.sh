@@ -1,7 +1,7 @@
 #!/bin/sh
 # SPDX-License-Identifier: Apache-2.0
-# Installs the libraries into a temporary prefix, builds and runs against them: a C++ program, the example
-# docs/examples/minimal.cpp, and a C program that uses the format library alone.
+# Installs the libraries into a temporary prefix, builds and runs against them: a C++ program, the examples of
+# docs/examples, and a C program that uses the format library alone.
 # usage: run.sh FORMAT_BUILD_FOLDER TRACE_BUILD_FOLDER FILE.pro
 set -eu
 here=$(cd "$(dirname "$0")" && pwd)
@@ -27,6 +27,9 @@ LD_LIBRARY_PATH=$(dirname "$(find "$prefix" -name 'libpointrt_pro.*' | head -n 1
 export LD_LIBRARY_PATH
 "$work/build/consume_trace" "$3" "$work/missing.pro"
 "$work/build-c/consume" "$3"
+
+"$work/build/read_pro" "$3" >"$work/splats.txt"
+grep -qx '10.500 20.750 30.500 radius 0.1[0-9]* normal .*' "$work/splats.txt" || { echo "read_pro printed:"; cat "$work/splats.txt"; exit 1; }
 
 # a ray onto splat 0 of the tiny scene, and one beside the scan
 hit=$("$work/build/minimal" "$3" 10.5 20.75 31 "$work/minimal.png")
