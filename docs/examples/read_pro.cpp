@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // read_pro SCAN.pro
-// Prints the first ten splats of a .pro file. Build it with CMake:
-// find_package(pointrt REQUIRED) and target_link_libraries(read_pro PRIVATE pointrt::pro).
+// Prints the first ten splats of a .pro file. Build it with CMake: find_package(pointrt REQUIRED),
+// target_link_libraries(read_pro PRIVATE pointrt::pro) and target_compile_features(read_pro PRIVATE cxx_std_20).
 #include <pointrt/pro.hpp>
 
 #include <algorithm>

@@ -33,7 +33,7 @@ for picture in "$@"; do
     case $picture in
     dragon)
         bake dragon/dragonStandRight.conf dragon
-        view dragon dragon.toml --size 1280x800 --spp 64
+        view dragon dragon.toml --size 1600x1000 --spp 64
         ;;
     buddha)
         bake happy/happyStandRight.conf buddha
@@ -41,27 +41,27 @@ for picture in "$@"; do
         ;;
     statue)
         bake nefertiti.obj nefertiti --sample 1200000
-        view statue statue.toml --size 1280x800 --spp 48
+        view statue statue.toml --size 1600x1000 --spp 48
         ;;
     evening)
         bake autzen.laz autzen
-        view evening evening.toml --size 1280x800 --spp 32
+        view evening evening.toml --size 1600x1000 --spp 32
         ;;
     lion)
         bake lion.ply lion
-        view lion lion.toml --size 1280x800 --spp 32
+        view lion lion.toml --size 1600x1000 --spp 32
         ;;
     garden)
         bake playbot playbot
-        view garden garden.toml --size 1280x800 --spp 16
+        view garden garden.toml --size 1600x1000 --spp 16
         ;;
     tree)
         bake pc_tree.txt tree
-        view tree tree.toml --size 1280x800 --spp 32
+        view tree tree.toml --size 1600x1000 --spp 32
         ;;
     building)
         bake indoor.laz indoor
-        view building building.toml --size 1280x800 --spp 16
+        view building building.toml --size 1600x1000 --spp 16
         ;;
     hall)
         bake indoor.laz indoor
@@ -70,11 +70,11 @@ for picture in "$@"; do
     sun)
         bake stadium.laz stadium --up z
         "$bin/pointrt-rays" sun "$work/stadium.pro" --at 44.058,-123.068 --date 2026-12-21 --every 30 -o "$work/winter.pro"
-        view sun winter.pro --view iso --size 1280x800 --color-by sun_hours --color-map inferno --legend on
+        view sun winter.pro --view iso --size 1600x1000 --color-by sun_hours --color-map inferno --legend on
         ;;
     normals)
         bake lion.ply lion
-        view normals lion.pro --integrator normal --size 1280x800
+        view normals lion.pro --integrator normal --size 1600x1000
         ;;
     window)
         bake lion.ply lion

@@ -167,7 +167,8 @@ void addFilterOptions(CommandLine& app, BakeOptions& options) {
         ->type_name("N");
     app.add_option_function<int>(
            "--level", [&](int level) { read.level = level; },
-           "Read COPC files down to level of detail N, where 0 is the coarsest (default: all levels)")
+           "Read COPC, EPT, Potree and SOG files down to level of detail N, where 0 is the coarsest (default: all "
+           "levels)")
         ->check(range(0, 64))
         ->type_name("N");
     app.add_option("--skim", read.skim,
@@ -181,9 +182,9 @@ void addFilterOptions(CommandLine& app, BakeOptions& options) {
     app.add_flag_callback(
         "--keep-withheld", [&] { read.drops_withheld = false; },
         "Keep points that LAS files flag as withheld (default: leave them out)");
-    addParsed(app, "--transform", "Apply the 4x4 matrix in this text file to all inputs", [&](const std::string& text) {
-        read.transform = readTransform(text);
-    })->type_name("FILE");
+    addParsed(app, "--transform", "Apply the 4x4 matrix in this text file (16 numbers, row by row) to all inputs",
+              [&](const std::string& text) { read.transform = readTransform(text); })
+        ->type_name("FILE");
     addParsed(app, "--up",
               "Up axis in scan coordinates; auto: as the files say, else estimated from the surface, else z for points "
               "and y for meshes (default auto)",

@@ -80,8 +80,8 @@ void addDeviceAndReport(CommandLine& app, CommonOptions& options) {
            "same results")
         ->type_name("SIZE");
     app.add_option("--device", options.device,
-                   "Vulkan device, by index or part of its name (default: the best one); list them with "
-                   "pointrt-view --device list")
+                   "Vulkan device, by index or part of its name (default: a discrete GPU before an integrated one, "
+                   "a processor last); list them with pointrt-view --device list")
         ->type_name("DEVICE");
     app.add_option("--stats", options.stats,
                    "Write a JSON report of the run; - is standard output, for commands that print no results there")

@@ -50,8 +50,7 @@ LoadRequest loadRequest(const Options& options, SceneDescription scene) {
     if (request.faces_section) request.settings.camera = request.staging = sectionCamera(options);
     request.fov_is_free = !options.fov_deg && request.settings.camera.fov_deg == CameraRequest{}.fov_deg;
     // scene files and other options decide how scans look
-    const RenderChoices& said = options.choices;
-    request.chooses_colors = !isSceneFile(options.scene) && !said.color_by && !said.reflectivity;
+    request.chooses_colors = leavesColors(options);
     request.chooses_integrator = leavesIntegrator(options);
     request.scene = std::move(scene);
     if (isSceneFile(options.scene)) request.fallback_up = Vec3{0, 1, 0}; // not the camera's up, which may be tilted

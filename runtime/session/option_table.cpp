@@ -259,7 +259,8 @@ OptionGroup runOptions() {
     return {
         "Run",
         {{"--device", "list|N|NAME",
-          "Vulkan device to use, by number or part of its name; list prints all devices (default: the best one)",
+          "Vulkan device to use, by number or part of its name; list prints all devices (default: a discrete GPU "
+          "before an integrated one, a processor last)",
           setDevice},
          {"--rays", "walk|hardware|auto",
           "How rays find splats: walk through pointrt's tracing index, or hardware ray queries; auto uses hardware on "

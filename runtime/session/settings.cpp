@@ -58,7 +58,8 @@ CameraRequest filedCamera(const Options& options, const SceneDescription& scene)
     return viewNamed(scene, options.view).camera;
 }
 
-/// Refuses options for colours by value if neither --color-by nor the scene file selects a value.
+} // namespace
+
 void requireColored(const RenderChoices& said, const std::string& color_by) {
     const char* const option = said.color_map                ? "--color-map"
                                : said.color_range            ? "--color-range"
@@ -69,7 +70,9 @@ void requireColored(const RenderChoices& said, const std::string& color_by) {
         throw Error{ExitCode::kBadUsage, std::string(option) + ": does not apply to --color-by normal"};
 }
 
-} // namespace
+bool leavesColors(const Options& options) {
+    return !isSceneFile(options.scene) && !options.choices.color_by && !options.choices.reflectivity;
+}
 
 std::optional<StandardView> standardView(const Options& options, const SceneDescription& scene) {
     for (const NamedView& view : scene.views)
@@ -118,7 +121,7 @@ RenderSettings resolveSettings(const Options& options, const SceneDescription& s
     if (options.limits.seconds || options.limits.noise) filed.spp = kMaxSpp;
     applyChoices(filed, settings);
     applyChoices(options.choices, settings);
-    requireColored(options.choices, settings.color_by);
+    if (!leavesColors(options)) requireColored(options.choices, settings.color_by);
     settings.first_hits = options.output.ends_with(".exr");
     settings.camera = resolveCamera(options, filedCamera(options, scene));
     return settings;

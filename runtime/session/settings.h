@@ -18,8 +18,14 @@ SceneDescription describeScene(const Options& options);
 
 /// Each setting, and each part of the camera, from the command line, else from the scene file, else its default. With
 /// --time-limit or --noise and without --spp the number of samples is kMaxSpp. Throws Error kBadUsage for an unknown
-/// view.
+/// view, and as requireColored does unless colours are left to the scan.
 RenderSettings resolveSettings(const Options& options, const SceneDescription& scene);
+
+/// Refuses options for colours by value, with an Error kBadUsage, if color_by selects no value.
+void requireColored(const RenderChoices& said, const std::string& color_by);
+
+/// Whether scans without colours are coloured by default (defaultColors): neither a scene file nor an option decides.
+bool leavesColors(const Options& options);
 
 /// The reverse: scene with these settings, so that its scene file gives the same picture. scene: without the additions
 /// of addSurroundings; staged_for: the eye that these were placed for

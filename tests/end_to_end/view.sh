@@ -85,6 +85,9 @@ case_colours_and_legends() {
     ! grep -q 'coloured by' stderr || fail "objects stay as clay"
     expectDone pointrt-view -q hill.pro -o out/legend.png --size 96x64 --color-by height --legend on
     ! cmp -s out/legend.png out/height.png || fail "no legend"
+    expectDone pointrt-view -q hill.pro -o out/own.png --size 96x64 --legend on
+    cmp out/own.png out/legend.png || fail "no legend of the colours by default"
+    expectError 2 "--legend: needs --color-by" pointrt-view grass.pro -o out/a.png --legend on
     expectDone pointrt-view -q hill.pro -o out/map.png --size 96x64 --color-by height --color-map magma --color-range 0,0.2
     ! cmp -s out/map.png out/height.png || fail "map and range make no difference"
     rm out/*

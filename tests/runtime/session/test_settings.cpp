@@ -86,6 +86,7 @@ std::string refusalOf(const Options& options, const SceneDescription& scene) {
 TEST(Settings, ColourOptionsNeedColorBy) {
     const auto refusal = [](const RenderChoices& said, const SceneDescription& scene) {
         Options options;
+        options.scene = "scene.toml"; // a scan may be coloured by default
         options.choices = said;
         return refusalOf(options, scene);
     };

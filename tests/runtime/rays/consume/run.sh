@@ -29,7 +29,7 @@ export LD_LIBRARY_PATH
 "$work/build-c/consume" "$3"
 
 "$work/build/read_pro" "$3" >"$work/splats.txt"
-grep -qx '10.500 20.750 30.500 radius 0.1[0-9]* normal .*' "$work/splats.txt" || { echo "read_pro printed:"; cat "$work/splats.txt"; exit 1; }
+grep -qx '10.500 20.750 30.500 radius 0.5000 normal .* 1.000' "$work/splats.txt" || { echo "read_pro printed:"; cat "$work/splats.txt"; exit 1; }
 
 # a ray onto splat 0 of the tiny scene, and one beside the scan
 hit=$("$work/build/minimal" "$3" 10.5 20.75 31 "$work/minimal.png")
