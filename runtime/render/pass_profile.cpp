@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <stdexcept>
+#include <string>
+#include <string_view>
 
 #include "runtime/util/clock.h"
 #include "runtime/util/on_error.h"
@@ -100,10 +102,10 @@ Appended appendedBy(const PassRun& run, const PassBytes& each_has) {
     return sum;
 }
 
-const PassBytes& bytesOf(const std::string& program) {
+const PassBytes& bytesOf(std::string_view program) {
     for (const PassBytes& each : kPassBytes)
         if (program == each.program) return each;
-    throw std::logic_error("kPassBytes lacks the program " + program);
+    throw std::logic_error("kPassBytes lacks the program " + std::string(program));
 }
 
 /// The tally of that name, appended if new.
