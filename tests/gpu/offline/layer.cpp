@@ -503,13 +503,13 @@ PFN_vkVoidFunction hookOf(std::string_view name) {
 extern "C" {
 
 /// A count by its name, since the process started; 0 if there is no such count.
-VK_LAYER_EXPORT std::uint64_t pointrtLayerCount(const char* name) {
+__attribute__((visibility("default"))) std::uint64_t pointrtLayerCount(const char* name) {
     for (std::size_t i = 0; i < counts.size(); ++i)
         if (std::strcmp(name, kCountNames[i]) == 0) return counts[i];
     return 0;
 }
 
-VK_LAYER_EXPORT VKAPI_ATTR VkResult VKAPI_CALL
+__attribute__((visibility("default"))) VKAPI_ATTR VkResult VKAPI_CALL
 vkNegotiateLoaderLayerInterfaceVersion(VkNegotiateLayerInterface* interface) {
     interface->loaderLayerInterfaceVersion = 2;
     interface->pfnGetInstanceProcAddr = GetInstanceProcAddr;
