@@ -56,10 +56,11 @@ void createPrograms(Device& device, Denoiser& denoiser, bool has_variance) {
 }
 
 /// Descriptors of a level that reads light[from] and its guide, and writes light[to].
-VkDescriptorSet createLevelSet(Device& device, const Denoiser& d, const Program& program, std::size_t from,
-                               const Buffer& to) {
+VkDescriptorSet createLevelSet(Device& device, const Denoiser& d, const Buffer& color, const Program& program,
+                               std::size_t from, const Buffer& to) {
     return createDescriptorSet(device, d.pool, program,
-                               {{BINDING_DENOISE_LIGHT, &d.light[from]},
+                               {{BINDING_DENOISE_COLORS, &color},
+                                {BINDING_DENOISE_LIGHT, &d.light[from]},
                                 {BINDING_DENOISE_SURFACES, &d.surface},
                                 {BINDING_DENOISE_SLOPES, &d.slope},
                                 {BINDING_DENOISE_FACTORS, &d.factor},
@@ -89,8 +90,9 @@ void createSets(Device& device, Denoiser& d, const DenoiseInputs& inputs) {
                                           {BINDING_DENOISE_SURFACES, &d.surface},
                                           {BINDING_DENOISE_SLOPES, &d.slope},
                                           {BINDING_DENOISE_LIGHT_OUT, &light[1]}});
-    for (std::size_t i = 0; i < 2; ++i) d.level_sets[i] = createLevelSet(device, d, d.level, i, light[1 - i]);
-    d.last_set = createLevelSet(device, d, d.last_level, kLevels % 2, d.result);
+    for (std::size_t i = 0; i < 2; ++i)
+        d.level_sets[i] = createLevelSet(device, d, *inputs.color, d.level, i, light[1 - i]);
+    d.last_set = createLevelSet(device, d, *inputs.color, d.last_level, kLevels % 2, d.result);
 }
 
 GroupCount groupsOf(const Denoiser& denoiser) {

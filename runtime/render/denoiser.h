@@ -51,7 +51,8 @@ void destroyDenoiser(Device& device, Denoiser& denoiser);
 /// with a standard deviation of more than a quarter of their brightness, to that neighbour's brightness, which loses
 /// energy; then applies 5 levels of an a-trous wavelet with taps 1, 2, 4, 8 and 16 pixels apart, weighted by normal,
 /// distance from the plane of the surface, and luminance relative to its variance, where a pixel whose noise explains
-/// it counts with the median luminance around it; and multiplies by the albedo. Pixels of variance 0 are unchanged.
+/// it counts with the median luminance around it; and multiplies by the albedo. On outlines between surfaces whose
+/// albedos differ, the result stays within the colours around the pixel. Pixels of variance 0 are unchanged.
 /// Preserves the mean of symmetric noise; exponential noise at 4 samples loses 1.5%. Pixels of alpha 0 are copied;
 /// partly covered ones are averaged only with those in the same eighth of alpha. Pixels that are not finite take the
 /// mean of their 8 neighbours; light is clamped to 1e9 times the albedo. Dammertz et al., Edge-Avoiding A-Trous Wavelet

@@ -16,6 +16,7 @@ layout(push_constant) uniform Push { // x, y: size of the image, z: pixels betwe
     vec4 angles; // x: angle of a pixel, radians
 };
 
+layout(binding = BINDING_DENOISE_COLORS) uniform samplerBuffer color_texels;     // rgb: colour before the filter
 layout(binding = BINDING_DENOISE_LIGHT) uniform samplerBuffer light_texels;      // rgb: light, a: variance
 layout(binding = BINDING_DENOISE_SURFACES) uniform samplerBuffer surface_texels; // DenoiseSurface
 layout(binding = BINDING_DENOISE_SLOPES) uniform samplerBuffer slope_texels;
@@ -28,6 +29,11 @@ layout(std430, binding = BINDING_DENOISE_GUIDE_LIGHT_OUT) writeonly buffer Guide
 // both pixels': weights are then symmetric and preserve the mean, and a pixel of zero variance, common in mirrors, is
 // neither changed nor spread.
 const float kVarianceScale = 16.0;
+
+// Surfaces farther apart than this count as different: they weigh exp(-2) = 0.14.
+const float kOtherSurface = 2.0;
+// Albedos that differ less move a mixed pixel by less than the tone curve shows at an outline.
+const float kAlbedoContrast = 1.5;
 
 struct Sum {
     vec4 light;  // weighted sum; variance weighted by squared weights
@@ -53,6 +59,44 @@ void addTap(inout Sum sum, vec4 light, float guide, DenoiseSurface center, vec2 
     sum.weight += weight;
 }
 
+// The range of luminance around a pixel before the filter, without the brightest and the darkest neighbour, which may be
+// noise; and what changes there.
+struct Surroundings {
+    float low, second_low, high, second_high;
+    float least_factor, largest_factor;
+    bool has_outline;
+};
+
+void addSurroundings(inout Surroundings around, DenoiseSurface center, vec2 slope, ivec2 pixel, ivec2 offset) {
+    ivec2 other = pixel + offset;
+    if (!isInside(other, push.xy)) return;
+    int texel = texelOf(other, push.xy);
+    DenoiseSurface surface = unpackSurface(texelFetch(surface_texels, texel));
+    float factor = luminance(texelFetch(factor_texels, texel).rgb);
+    around.least_factor = min(around.least_factor, factor);
+    around.largest_factor = max(around.largest_factor, factor);
+    around.has_outline = around.has_outline || !sameKind(center, surface) ||
+                         surfaceDistance(center, slope, surface, vec2(offset), angles.x) > kOtherSurface;
+    float shown = luminance(texelFetch(color_texels, texel).rgb);
+    if (surface.broken) return;
+    around.second_high = max(around.second_high, min(around.high, shown));
+    around.high = max(around.high, shown);
+    around.second_low = min(around.second_low, max(around.low, shown));
+    around.low = min(around.low, shown);
+}
+
+// What to multiply a filtered colour by. A pixel on the outline of a body shows two surfaces, and its light was divided by
+// the mean of their albedos: beside glass (albedo 1) on a dark floor that leaves far less than the floor has, so that the
+// filter would make the outline many times too bright. There the colour stays within those around it.
+float outlineScale(float filtered, DenoiseSurface center, vec2 slope, ivec2 pixel) {
+    Surroundings around = Surroundings(kBrightest, kBrightest, 0.0, 0.0, kBrightest, 0.0, false);
+    for (int i = 0; i < 9; ++i) addSurroundings(around, center, slope, pixel, ivec2(i % 3 - 1, i / 3 - 1));
+    bool mixes = around.has_outline && around.largest_factor > kAlbedoContrast * around.least_factor;
+    if (!mixes || center.broken || !(filtered > 0.0)) return 1.0;
+    float own = luminance(texelFetch(color_texels, texelOf(pixel, push.xy)).rgb);
+    return clamp(filtered, min(own, around.second_low), max(own, around.second_high)) / filtered;
+}
+
 void main() {
     ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
     if (!isInside(pixel, push.xy)) return;
@@ -74,7 +118,8 @@ void main() {
     vec4 filtered = sum.light / vec4(vec3(sum.weight), sum.weight * sum.weight);
     if (IS_LAST != 0u) {
         vec4 factor = texelFetch(factor_texels, texel);
-        filtered = vec4(filtered.rgb * factor.rgb, factor.a);
+        vec3 color = filtered.rgb * factor.rgb;
+        filtered = vec4(color * outlineScale(luminance(color), center, slope, pixel), factor.a);
     } else {
         guides[texel] = sum.guide / sum.weight;
     }

@@ -117,6 +117,26 @@ protected:
     }
 };
 
+// Glass on a dark floor: the colours are alike, the light divided by the albedo is not, and at the outline the albedo
+// is the mean of both.
+TEST_F(DenoiserTest, OutlinesOfGlassOnADarkFloorDoNotShine) {
+    Film film = planeFilm(kSide, kSide);
+    constexpr std::uint32_t kOutline = kSide / 2 - 1;
+    for (std::size_t i = 0; i < film.depth.size(); ++i) {
+        const std::uint32_t x = i % kSide;
+        const float albedo = x < kOutline ? 0.05f : x == kOutline ? 0.525f : 1.0f;
+        for (std::size_t c = 0; c < 3; ++c) film.albedo[3 * i + c] = albedo;
+        if (isLeft(x, 0)) film.depth[i] = 3; // the centre of the outline's pixels is on the floor
+        setRgb(film, i, 0.3f);
+    }
+    addNoise(film, 0.5f);
+    const Film result = denoised(film);
+    const auto outline = [](std::uint32_t x, std::uint32_t) { return x == kOutline; };
+    EXPECT_NEAR(meanOf(result, outline), 0.3, 0.09); // the second brightest of nine pixels is 0.37 in the mean
+    EXPECT_NEAR(meanOf(result, isLeft), 0.3, 0.01);
+    EXPECT_NEAR(meanOf(result, isRight), 0.3, 0.01);
+}
+
 TEST_F(DenoiserTest, RemovesNoiseOfAPlaneAndKeepsItsMean) {
     const Film truth = planeFilm(kSide, kSide);
     for (const float deviation : {0.1f, 0.5f}) {
