@@ -533,7 +533,10 @@ TEST(UiStyle, FollowsTheScreen) {
     PanelDriver driver;
     const auto scaleAt = [](float content, float pixels) {
         setUpUiStyle(content, pixels);
-        ImGui::GetIO().Fonts->Build();
+        // builds the font as the window does; Build() would undo the line height of the built-in one
+        unsigned char* texels = nullptr;
+        int width = 0, height = 0;
+        ImGui::GetIO().Fonts->GetTexDataAsAlpha8(&texels, &width, &height);
         ImGui::NewFrame();
         const float scale = uiScale();
         ImGui::Render();
