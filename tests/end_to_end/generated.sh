@@ -89,10 +89,12 @@ case_zsh_completes_the_options() {
     forEachCommand zshOptions
 }
 
-# fishOffers LINE WORD: the completions that fish offers for WORD at the end of LINE.
+# fishOffers LINE WORD: the completions that fish offers for WORD at the end of LINE. fish 4 also prints options that contain
+# the letters of WORD in order.
 fishOffers() {
     "${1%% *}" --generate fish >"$folder/tool.fish"
-    HOME=$folder fish --no-config -c 'source $argv[1]; complete -C $argv[2]' "$folder/tool.fish" "$1 $2" | cut -f 1 | sort -u
+    HOME=$folder fish --no-config -c 'source $argv[1]; complete -C $argv[2]' "$folder/tool.fish" "$1 $2" | cut -f 1 |
+        sort -u | if [ "${2#-}" = "$2" ]; then cat; else sed -n "/^$2/p"; fi
 }
 fishOptions() { fishOffers "$*" -- | sed -n '/^--/p'; }
 case_fish_completes_the_options() {

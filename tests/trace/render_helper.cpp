@@ -9,6 +9,7 @@
 #include <cstdio>
 #include <numbers>
 #include <numeric>
+#include <optional>
 
 #include "pointrt/pro_index_layout.h"
 #include "runtime/image/image_exr.h"
@@ -24,14 +25,25 @@ namespace pointrt::test {
 
 namespace {
 
-/// One device for all tests, as creating one takes longer than most frames here.
-Device& sharedDevice() {
-    static struct Owner {
-        Device device = createDevice({});
-        ~Owner() { destroyDevice(device); }
-    } owner;
-    return owner.device;
-}
+/// One device for all tests, as creating one takes longer than most frames here. It is destroyed after the last test,
+/// not when the program exits: by then the validation layer may have destroyed its own objects.
+class SharedDevice : public testing::Environment {
+public:
+    void TearDown() override {
+        if (device_) destroyDevice(*device_);
+        device_.reset();
+    }
+    Device& get() {
+        if (!device_) device_.emplace(createDevice({}));
+        return *device_;
+    }
+
+private:
+    std::optional<Device> device_;
+};
+
+SharedDevice* const shared_device = new SharedDevice;
+[[maybe_unused]] testing::Environment* const registered = testing::AddGlobalTestEnvironment(shared_device); // owns it
 
 } // namespace
 
@@ -45,7 +57,7 @@ RenderSettings square(std::uint32_t size) {
 
 Rendered renderScene(SceneDescription description, RenderSettings settings, FormRequest form,
                      std::uint32_t strip_rows) {
-    Device& device = sharedDevice();
+    Device& device = shared_device->get();
     settings.first_hits = true;
     LoadRequest request;
     request.scene = std::move(description);
