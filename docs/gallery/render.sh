@@ -37,7 +37,7 @@ for picture in "$@"; do
         ;;
     buddha)
         bake happy/happyStandRight.conf buddha
-        view buddha buddha.pro --room mirror --bounces 10 --lights 4 --spp 16 --size 800x800
+        view buddha buddha.pro --room mirror --bounces 10 --lights 4 --spp 16 --size 1600x1600
         ;;
     statue)
         bake nefertiti.obj nefertiti --sample 1200000
