@@ -9,7 +9,7 @@
 #   stadium.laz        Autzen Stadium, a crop of the same scan as autzen.laz
 #   pc_tree.txt        tree, rTLS (inst/extdata)
 #   playbot            Gaussian capture by Stephane Agullo as a SOG folder, CC BY 4.0
-# POINTRT_BIN: the tools (default: build/release/bin). Needs cwebp. An hour on two cores.
+# POINTRT_BIN: the tools (default: build/release/bin). Needs cwebp. 40 minutes on two cores.
 set -euo pipefail
 data=$(cd "${1:?usage: docs/gallery/render.sh DATA [NAME...]}" && pwd)
 shift

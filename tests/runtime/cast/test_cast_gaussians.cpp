@@ -11,6 +11,7 @@
 #include "runtime/gpu/device.h"
 #include "tests/gaussians/nasty_gaussians.h"
 #include "tests/runtime/rays/ray_scenes.h"
+#include "tests/runtime/rays/set_scenes.h"
 #include "tests/trace/gaussian_file.h"
 
 namespace pointrt::test {
