@@ -6,6 +6,7 @@
 #include <cmath>
 #include <vector>
 
+#include "format/base/error.h"
 #include "runtime/device_scene/color_choice.h"
 #include "runtime/scene/framing.h"
 
@@ -79,6 +80,12 @@ std::optional<DefaultColors> defaultColors(const DeviceScene& scene, const Scene
     if (kind == PlaceKind::kObject && !areSurveys(scans)) return std::nullopt;
     if (const auto range = intensityRange(scans)) return DefaultColors{kIntensity, *range};
     return DefaultColors{kHeight, {}};
+}
+
+void requireColored(const char* option, const std::string& color_by) {
+    if (option && color_by == kOwnColors) throw Error{ExitCode::kBadUsage, std::string(option) + ": needs --color-by"};
+    if (option && color_by == kNormal)
+        throw Error{ExitCode::kBadUsage, std::string(option) + ": does not apply to --color-by normal"};
 }
 
 } // namespace pointrt

@@ -149,6 +149,7 @@ void prepareScene(Device& device, LoadedScene& loaded, const LoadRequest& reques
     loaded.free_share = request.free_share;
     loaded.shown = shownBounds(scene, loaded.sample, sceneUp(scene.description, loaded.settings));
     if (request.chooses_colors) chooseColorsByDefault(loaded);
+    requireColored(request.color_option, loaded.settings.color_by);
     // the up of a view from above differs; keep that of the scene
     if (loaded.settings.camera.view && !scene.description.up)
         scene.description.up = sceneUp(scene.description, loaded.settings);

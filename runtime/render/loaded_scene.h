@@ -81,6 +81,7 @@ struct LoadRequest {
     bool faces_section = false;            ///< whether the cameras of settings and staging look at the section
     std::optional<Vec3> fallback_up;       ///< up if neither scene nor scans define it; none: that of the camera
     bool chooses_colors = false;           ///< colour scans without colours by defaultColors
+    const char* color_option = nullptr;    ///< an option that requireColored checks once colours are chosen
     bool chooses_integrator = false;       ///< path trace scans seen from outside that are lit by default
     bool fov_is_free = false;              ///< not specified by the user: framing may widen it
     double free_share = 1;                 ///< uncovered share of the picture's width, from the left

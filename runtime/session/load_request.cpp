@@ -51,6 +51,7 @@ LoadRequest loadRequest(const Options& options, SceneDescription scene) {
     request.fov_is_free = !options.fov_deg && request.settings.camera.fov_deg == CameraRequest{}.fov_deg;
     // scene files and other options decide how scans look
     request.chooses_colors = leavesColors(options);
+    request.color_option = colorOption(options.choices);
     request.chooses_integrator = leavesIntegrator(options);
     request.scene = std::move(scene);
     if (isSceneFile(options.scene)) request.fallback_up = Vec3{0, 1, 0}; // not the camera's up, which may be tilted

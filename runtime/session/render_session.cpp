@@ -87,7 +87,6 @@ void loadSession(RenderSession& session, SceneDescription description, const Opt
     if (options.resume) request.form = formToResume(options.output);
     session.loaded = loadScene(session.device, session.device, request, LoadStage{});
     session.settings = session.loaded->settings;
-    requireColored(options.choices, session.settings.color_by);
     session.camera = session.loaded->camera;
     session.notes = sceneNotes(*session.loaded, up_is_given);
     reportWithoutEffect(options, session.loaded->scene, session.settings.integrator);

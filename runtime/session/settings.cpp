@@ -5,7 +5,7 @@
 #include <filesystem>
 
 #include "format/base/error.h"
-#include "runtime/device_scene/color_choice.h"
+#include "runtime/render/default_colors.h"
 #include "runtime/scene/added_surroundings.h"
 #include "runtime/scene/layers.h"
 #include "runtime/scene/render_setting_table.h"
@@ -60,14 +60,11 @@ CameraRequest filedCamera(const Options& options, const SceneDescription& scene)
 
 } // namespace
 
-void requireColored(const RenderChoices& said, const std::string& color_by) {
-    const char* const option = said.color_map                ? "--color-map"
-                               : said.color_range            ? "--color-range"
-                               : said.legend.value_or(false) ? "--legend"
-                                                             : nullptr;
-    if (option && color_by == kOwnColors) throw Error{ExitCode::kBadUsage, std::string(option) + ": needs --color-by"};
-    if (option && color_by == kNormal)
-        throw Error{ExitCode::kBadUsage, std::string(option) + ": does not apply to --color-by normal"};
+const char* colorOption(const RenderChoices& said) {
+    return said.color_map                ? "--color-map"
+           : said.color_range            ? "--color-range"
+           : said.legend.value_or(false) ? "--legend"
+                                         : nullptr;
 }
 
 bool leavesColors(const Options& options) {
@@ -121,7 +118,7 @@ RenderSettings resolveSettings(const Options& options, const SceneDescription& s
     if (options.limits.seconds || options.limits.noise) filed.spp = kMaxSpp;
     applyChoices(filed, settings);
     applyChoices(options.choices, settings);
-    if (!leavesColors(options)) requireColored(options.choices, settings.color_by);
+    if (!leavesColors(options)) requireColored(colorOption(options.choices), settings.color_by);
     settings.first_hits = options.output.ends_with(".exr");
     settings.camera = resolveCamera(options, filedCamera(options, scene));
     return settings;

@@ -21,8 +21,8 @@ SceneDescription describeScene(const Options& options);
 /// view, and as requireColored does unless colours are left to the scan.
 RenderSettings resolveSettings(const Options& options, const SceneDescription& scene);
 
-/// Refuses options for colours by value, with an Error kBadUsage, if color_by selects no value.
-void requireColored(const RenderChoices& said, const std::string& color_by);
+/// The first option for colours by value, see requireColored; null if there is none.
+const char* colorOption(const RenderChoices& said);
 
 /// Whether scans without colours are coloured by default (defaultColors): neither a scene file nor an option decides.
 bool leavesColors(const Options& options);
