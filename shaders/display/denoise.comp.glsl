@@ -60,21 +60,30 @@ void addTap(inout Sum sum, vec4 light, float guide, DenoiseSurface center, vec2 
 }
 
 // The range of luminance around a pixel before the filter, without the brightest and the darkest neighbour, which may be
-// noise; and what changes there.
+// noise; and whether another surface is there.
 struct Surroundings {
     float low, second_low, high, second_high;
-    float least_factor, largest_factor;
     bool has_outline;
 };
+
+ivec2 neighbour(int i) { return ivec2(i % 3 - 1, i / 3 - 1); }
+
+// Whether albedos around the pixel differ enough for an outline to mix them.
+bool albedosDiffer(ivec2 pixel) {
+    float least = kBrightest, largest = 0.0;
+    for (int i = 0; i < 9; ++i) { // beyond the picture: the pixel at its rim
+        float factor = luminance(texelFetch(factor_texels, texelOf(pixel + neighbour(i), push.xy)).rgb);
+        least = min(least, factor);
+        largest = max(largest, factor);
+    }
+    return largest > kAlbedoContrast * least;
+}
 
 void addSurroundings(inout Surroundings around, DenoiseSurface center, vec2 slope, ivec2 pixel, ivec2 offset) {
     ivec2 other = pixel + offset;
     if (!isInside(other, push.xy)) return;
     int texel = texelOf(other, push.xy);
     DenoiseSurface surface = unpackSurface(texelFetch(surface_texels, texel));
-    float factor = luminance(texelFetch(factor_texels, texel).rgb);
-    around.least_factor = min(around.least_factor, factor);
-    around.largest_factor = max(around.largest_factor, factor);
     around.has_outline = around.has_outline || !sameKind(center, surface) ||
                          surfaceDistance(center, slope, surface, vec2(offset), angles.x) > kOtherSurface;
     float shown = luminance(texelFetch(color_texels, texel).rgb);
@@ -89,10 +98,10 @@ void addSurroundings(inout Surroundings around, DenoiseSurface center, vec2 slop
 // the mean of their albedos: beside glass (albedo 1) on a dark floor that leaves far less than the floor has, so that the
 // filter would make the outline many times too bright. There the colour stays within those around it.
 float outlineScale(float filtered, DenoiseSurface center, vec2 slope, ivec2 pixel) {
-    Surroundings around = Surroundings(kBrightest, kBrightest, 0.0, 0.0, kBrightest, 0.0, false);
-    for (int i = 0; i < 9; ++i) addSurroundings(around, center, slope, pixel, ivec2(i % 3 - 1, i / 3 - 1));
-    bool mixes = around.has_outline && around.largest_factor > kAlbedoContrast * around.least_factor;
-    if (!mixes || center.broken || !(filtered > 0.0)) return 1.0;
+    Surroundings around = Surroundings(kBrightest, kBrightest, 0.0, 0.0, false);
+    int count = albedosDiffer(pixel) ? 9 : 0; // lavapipe leaves a loop, but no branch, that no lane needs
+    for (int i = 0; i < count; ++i) addSurroundings(around, center, slope, pixel, neighbour(i));
+    if (!around.has_outline || center.broken || !(filtered > 0.0)) return 1.0;
     float own = luminance(texelFetch(color_texels, texelOf(pixel, push.xy)).rgb);
     return clamp(filtered, min(own, around.second_low), max(own, around.second_high)) / filtered;
 }
