@@ -42,8 +42,8 @@ private:
     std::optional<Device> device_;
 };
 
-SharedDevice* const shared_device = new SharedDevice;
-[[maybe_unused]] testing::Environment* const registered = testing::AddGlobalTestEnvironment(shared_device); // owns it
+/// Owned by GoogleTest.
+auto* const shared_device = static_cast<SharedDevice*>(testing::AddGlobalTestEnvironment(new SharedDevice));
 
 } // namespace
 
