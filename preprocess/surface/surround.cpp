@@ -10,6 +10,7 @@
 #include <optional>
 #include <span>
 #include <tbb/enumerable_thread_specific.h>
+#include <tbb/parallel_for.h>
 
 #include "preprocess/cloud/median.h"
 #include "preprocess/surface/angle_gaps.h"
@@ -67,6 +68,8 @@ constexpr std::size_t kMoreLevels = 2;
 
 /// Every 16th list is enough for shares of a hundredth and quantiles, of more points than these.
 constexpr std::size_t kSampleStep = 16, kManyPoints = 16384;
+/// Of these, every fourth is probed.
+constexpr std::size_t kProbeStep = 4;
 
 /// Points around a point, in its plane.
 struct Around {
@@ -475,26 +478,42 @@ bool isBlurred(const NeighborLists& lists, const PointSet& points, const Nearest
     return misfitOf(momentsOf(points, found, point)) < kFlat;
 }
 
+/// One point's share of the counts. Probing takes longer than all else, so only some of the sampled points are probed.
+void countPoint(const NeighborLists& lists, const PointSet& points, const NearestSearch& nearest, std::size_t point,
+                bool probes, SurroundCounts& counts) {
+    ++counts.sampled;
+    counts.unsurrounded += suspicionOf(lists, points, point) >= Suspicion::kOnLine;
+    counts.reaches.push_back(std::ldexp(lists.radius(points, point), points.scale_exponent));
+    if (!probes) return;
+    std::vector<std::uint32_t> found;
+    ++counts.probed;
+    counts.isolated += isIsolated(lists, points, nearest, point, found) ? kProbeStep : 0;
+    counts.noisy += isBlurred(lists, points, nearest, point, found);
+    counts.at_gaps += isAtGap(lists, points, nearest, point, found);
+}
+
+void addCounts(SurroundCounts& counts, const SurroundCounts& more) {
+    counts.sampled += more.sampled;
+    counts.unsurrounded += more.unsurrounded;
+    counts.isolated += more.isolated;
+    counts.probed += more.probed;
+    counts.noisy += more.noisy;
+    counts.at_gaps += more.at_gaps;
+    counts.reaches.insert(counts.reaches.end(), more.reaches.begin(), more.reaches.end());
+}
+
 } // namespace
 
 void countUnsurrounded(const NeighborLists& lists, const PointSet& points, const NearestSearch& nearest,
                        const std::vector<std::uint8_t>& inner, SurroundCounts& counts) {
     if (lists.k < kFewestToSurround) return;
-    constexpr std::size_t kIsolatedStep = 4; // every fourth of the sampled points, because this takes longer
     const std::size_t step = points.size() < kManyPoints ? 1 : kSampleStep;
-    std::vector<std::uint32_t> found;
-    for (std::size_t i = 0, sample = 0; i < points.size(); i += step, ++sample) {
-        if (inner[i] == 0) continue;
-        ++counts.sampled;
-        counts.unsurrounded += suspicionOf(lists, points, i) >= Suspicion::kOnLine;
-        counts.reaches.push_back(std::ldexp(lists.radius(points, i), points.scale_exponent));
-        if (sample % kIsolatedStep == 0 && isIsolated(lists, points, nearest, i, found))
-            counts.isolated += kIsolatedStep;
-        if (sample % kIsolatedStep > 0) continue;
-        ++counts.probed;
-        counts.noisy += isBlurred(lists, points, nearest, i, found);
-        counts.at_gaps += isAtGap(lists, points, nearest, i, found);
-    }
+    tbb::enumerable_thread_specific<SurroundCounts> counts_of_threads;
+    tbb::parallel_for(std::size_t(0), (points.size() + step - 1) / step, [&](std::size_t sample) {
+        if (const std::size_t point = sample * step; inner[point] != 0)
+            countPoint(lists, points, nearest, point, sample % kProbeStep == 0, counts_of_threads.local());
+    });
+    for (const SurroundCounts& counted : counts_of_threads) addCounts(counts, counted);
 }
 
 Thinning thinningOf(SurroundCounts counts) {
