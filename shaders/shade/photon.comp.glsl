@@ -26,7 +26,7 @@ void main() {
     uint bits = path.bits, bounce = bounceOf(bits);
     resolveSides(point, path);
     bool back = isBack(point);
-    Material row = loadMaterial(materialOf(point));
+    Material row = interfaceMaterial(point, path);
     vec3 normal = point.normal, view = -path.direction;
     Bsdf bsdf = materialBsdf(row, point.albedo, back, dot(normal, view));
     vec3 flux = path.throughput * (back ? transmittance(row, point.t) : vec3(1.0));

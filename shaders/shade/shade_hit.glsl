@@ -34,7 +34,7 @@ struct ShadedHit {
 ShadedHit shadeAt(PathState path, SurfaceInteraction point, uint index) {
     resolveSides(point, path);
     bool back = isBack(point);
-    Material row = loadMaterial(materialOf(point));
+    Material row = interfaceMaterial(point, path);
     Bsdf bsdf = makeBsdf(row, point.albedo, back, -dot(point.normal, path.direction));
     path.throughput *= back ? transmittance(row, point.t) : vec3(1.0);
     return ShadedHit(point, row, bsdf, shadeHit(path, point, row, bsdf, imagePixel(index)));

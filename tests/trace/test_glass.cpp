@@ -145,6 +145,53 @@ TEST(Glass, ShowsThePictureBehindTheBall) {
     EXPECT_LT(std::abs(signed_sum), 0.002 * light);
 }
 
+/// A wall of glass of a scan, across the view.
+struct GlassWall {
+    float z;
+    bool faces_eye; ///< whether its outer side does
+};
+
+/// The light of an even sky of radiance 1 through walls between glass that absorbs, but does not bend light.
+double lightThrough(const std::vector<GlassWall>& walls, float absorption, Integrator integrator) {
+    Splats splats;
+    for (const GlassWall& wall : walls) {
+        const Vec3f v{0, wall.faces_eye ? 1.0f : -1.0f, 0};
+        splats = joinSplats(std::move(splats), squareSplats(24, {0, 0, wall.z}, {1, 0, 0}, v));
+    }
+    const std::string path = temporaryPath("walls.pro");
+    writeScene(path, std::move(splats), {});
+    MaterialDescription glass = clearGlass();
+    glass.index = 1;
+    glass.absorption = {absorption, absorption, absorption};
+    SceneDescription scene = splatBody(path, glass);
+    scene.sky = evenSky(1);
+    RenderSettings settings = square(8);
+    settings.camera.eye = Vec3{0, 0, 3};
+    settings.camera.target = Vec3{0, 0, 0};
+    settings.camera.fov_deg = 1;
+    settings.integrator = integrator;
+    settings.bounces = 8;
+    const Film film = renderScene(std::move(scene), settings).film;
+    std::remove(path.c_str());
+    return film.rgba[4 * (4 * 8 + 4)];
+}
+
+TEST(Glass, AbsorbsOnlyOnTheWayFromWhereLightEntered) {
+    constexpr GlassWall kFront{0.25f, true}, kBack{-0.25f, false};
+    constexpr float kAbsorption = 2;
+    const double slab = std::exp(-0.5 * kAbsorption);
+    for (const Integrator integrator : {Integrator::kPath, Integrator::kWhitted}) {
+        const auto light = [&](const std::vector<GlassWall>& walls) {
+            return lightThrough(walls, kAbsorption, integrator);
+        };
+        EXPECT_NEAR(light({kFront, kBack}), slab, 0.005);
+        EXPECT_NEAR(light({kBack}), 1, 0.005) << "the front has a hole";
+        EXPECT_NEAR(light({kFront}), 1, 0.005) << "the back has a hole";
+        EXPECT_NEAR(light({kFront, kBack, {-1, false}}), slab, 0.005) << "the front of what is behind has a hole";
+        EXPECT_NEAR(light({{0.75f, true}, kFront, kBack}), slab, 0.005) << "the back of what is in front has a hole";
+    }
+}
+
 } // namespace
 
 } // namespace pointrt::test
