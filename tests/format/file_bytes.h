@@ -18,7 +18,6 @@
 #include "pointrt/pro_index_layout.h"
 
 #define XXH_INLINE_ALL
-#define XXH_NO_INLINE_HINTS 1 // with -Og GCC 14 cannot inline what xxhash demands to be inlined
 #include <xxhash.h>
 
 namespace pointrt::test {
