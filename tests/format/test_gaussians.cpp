@@ -380,6 +380,16 @@ TEST(Golden, Version15Reads) {
 
 TEST(Golden, Version15VerifiesClean) { EXPECT_TRUE(findingsOf(readBytes(kTinyV15)).empty()); }
 
+/// A seed for the fuzzers: pointrt-bake of 40 Gaussians at random, opacities from 0.004 to 0.998.
+TEST(Golden, ExactGaussiansRead) {
+    const std::string path = POINTRT_GOLDEN_DIR "/exact_gaussians.pro";
+    EXPECT_TRUE(findingsOf(readBytes(path)).empty());
+    const ProFile file(path);
+    ASSERT_NE(file.gaussians(), nullptr);
+    EXPECT_GT(file.gaussians()->exact_count, 0u);
+    EXPECT_LT(file.gaussians()->exact_count, 40u);
+}
+
 TEST(Golden, SameGaussiansAreWrittenAsTheSameBytes) {
     const TemporaryFolder folder;
     Scene scene = tinyScene();
