@@ -22,9 +22,11 @@ layout(binding = BINDING_DENOISE_SURFACES) uniform samplerBuffer surface_texels;
 layout(binding = BINDING_DENOISE_SLOPES) uniform samplerBuffer slope_texels;
 layout(std430, binding = BINDING_DENOISE_LIGHT_OUT) writeonly buffer LightBuffer { vec4 lights[]; };
 
-// Half width of the window: 5x5 smooths given variances, 7x7 measures spatial variance (as Schied et al. 2017 do for
-// new pixels). Only every second pixel is sampled: a third of the time for the same quality.
-const int kReach = KNOWS_VARIANCE != 0u ? 2 : 3;
+// Half width and step of the window: 3x3 smooths given variances, 7x7 measures spatial variance (as Schied et al. 2017 do
+// for new pixels), where every second pixel is a third of the time for the same quality. Given variances need neighbours
+// at a step of 1: at 2, bright pixels in reflections of lamps would raise only the variance of pixels of their own parity,
+// and remain as lattices of dots.
+const int kReach = KNOWS_VARIANCE != 0u ? 1 : 3, kStep = KNOWS_VARIANCE != 0u ? 1 : 2;
 
 void main() {
     ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
@@ -48,8 +50,8 @@ void main() {
         deviations += weight * sqrt(tap_light.a);
         sum += weight * difference;
         squares += weight * difference * difference;
-        at.x += 2;
-        if (at.x > kReach) at = ivec2(-kReach, at.y + 2);
+        at.x += kStep;
+        if (at.x > kReach) at = ivec2(-kReach, at.y + kStep);
     }
     float mean = sum / total;
     float spread = max(0.0, squares / total - mean * mean), deviation = deviations / total;

@@ -47,7 +47,7 @@ struct SalvageTest : InputTest {
 std::vector<std::string> records(std::size_t bytes, int count) {
     std::vector<std::string> all;
     for (int i = 0; i < count; ++i) {
-        std::string record = test::lasPoint(bytes, 100 * i, 7 * i * i % 5000, i % 13, 0);
+        std::string record = test::lasPoint(bytes, 100 * i, int(7LL * i * i % 5000), i % 13, 0);
         std::fill(record.begin() + 12, record.end(), '\0');
         all.push_back(record);
     }
