@@ -188,6 +188,38 @@ TEST_F(DenoiserTest, SpreadsBrightSamplesOverTheirSurface) {
     EXPECT_LT(specks, result.depth.size() / 500);
 }
 
+// A lamp reflected within glass: few samples are many times as bright as the rest.
+TEST_F(DenoiserTest, RareBrightSamplesLeaveNoDots) {
+    constexpr std::uint32_t kLow = 40, kHigh = 88, kSamples = 32;
+    constexpr float kChance = 0.05f, kBright = 20;
+    const auto inside = [](std::uint32_t x, std::uint32_t y) {
+        return x >= kLow && x < kHigh && y >= kLow && y < kHigh;
+    };
+    Film film = planeFilm(kSide, kSide);
+    addNoise(film, 0.02f);
+    std::mt19937 random(5);
+    std::binomial_distribution<int> hits(kSamples, kChance);
+    for (std::size_t i = 0; i < film.depth.size(); ++i)
+        if (inside(i % kSide, i / kSide)) {
+            const float share = static_cast<float>(hits(random)) / kSamples;
+            setRgb(film, i, film.rgba[4 * i] + share * kBright);
+            film.variance[i] += share * (1 - share) * kBright * kBright / (kSamples - 1);
+        }
+    const Film result = denoised(film);
+    double squares = 0, light = 0;
+    for (std::uint32_t y = kLow + 4; y < kHigh - 4; ++y)
+        for (std::uint32_t x = kLow + 4; x < kHigh - 4; ++x) {
+            const auto at = [&](std::uint32_t column) { return result.rgba[4 * (y * kSide + column) + 1]; };
+            squares += (at(x + 1) - at(x)) * (at(x + 1) - at(x));
+            light += at(x);
+        }
+    const double count = (kHigh - kLow - 8.0) * (kHigh - kLow - 8.0);
+    const double roughness = std::sqrt(squares / count) / (light / count);
+    std::printf("neighbours differ by %.3f of the light\n", roughness);
+    EXPECT_LT(roughness, 0.1);
+    EXPECT_NEAR(light / count, 0.5 + kChance * kBright, 0.1);
+}
+
 TEST_F(DenoiserTest, EstimatesAMissingVariance) {
     const Film truth = planeFilm(kSide, kSide);
     Film noisy = truth;
