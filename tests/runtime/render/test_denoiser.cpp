@@ -191,12 +191,12 @@ TEST_F(DenoiserTest, SpreadsBrightSamplesOverTheirSurface) {
 // A lamp reflected within glass: few samples are many times as bright as the rest.
 TEST_F(DenoiserTest, RareBrightSamplesLeaveNoDots) {
     constexpr std::uint32_t kLow = 40, kHigh = 88, kSamples = 32;
-    constexpr float kChance = 0.05f, kBright = 20;
+    constexpr float kChance = 0.01f, kBright = 100;
     const auto inside = [](std::uint32_t x, std::uint32_t y) {
         return x >= kLow && x < kHigh && y >= kLow && y < kHigh;
     };
     Film film = planeFilm(kSide, kSide);
-    addNoise(film, 0.02f);
+    addNoise(film, 0.01f);
     std::mt19937 random(5);
     std::binomial_distribution<int> hits(kSamples, kChance);
     for (std::size_t i = 0; i < film.depth.size(); ++i)
@@ -214,10 +214,8 @@ TEST_F(DenoiserTest, RareBrightSamplesLeaveNoDots) {
             light += at(x);
         }
     const double count = (kHigh - kLow - 8.0) * (kHigh - kLow - 8.0);
-    const double roughness = std::sqrt(squares / count) / (light / count);
-    std::printf("neighbours differ by %.3f of the light\n", roughness);
-    EXPECT_LT(roughness, 0.1);
-    EXPECT_NEAR(light / count, 0.5 + kChance * kBright, 0.1);
+    // 0.44 if variances are smoothed over every second pixel, 0.17 over all
+    EXPECT_LT(std::sqrt(squares / count) / (light / count), 0.25) << "differences of neighbours over the light";
 }
 
 TEST_F(DenoiserTest, EstimatesAMissingVariance) {
