@@ -24,14 +24,7 @@ void StatisticsSampler::add(const SurfaceReport& report, const Splats& splats) {
         noise_.over_spacing[scan].insert(noise_.over_spacing[scan].end(), values.begin(), values.end());
         noise_.in_clumps[scan] += noise.in_clumps[scan];
     }
-    const surface::SurroundCounts& more = report.surround;
-    surround_.sampled += more.sampled;
-    surround_.unsurrounded += more.unsurrounded;
-    surround_.isolated += more.isolated;
-    surround_.probed += more.probed;
-    surround_.noisy += more.noisy;
-    surround_.at_gaps += more.at_gaps;
-    surround_.reaches.insert(surround_.reaches.end(), more.reaches.begin(), more.reaches.end());
+    surface::addCounts(surround_, report.surround);
 }
 
 CloudStatistics StatisticsSampler::statistics() {

@@ -492,6 +492,8 @@ void countPoint(const NeighborLists& lists, const PointSet& points, const Neares
     counts.at_gaps += isAtGap(lists, points, nearest, point, found);
 }
 
+} // namespace
+
 void addCounts(SurroundCounts& counts, const SurroundCounts& more) {
     counts.sampled += more.sampled;
     counts.unsurrounded += more.unsurrounded;
@@ -501,8 +503,6 @@ void addCounts(SurroundCounts& counts, const SurroundCounts& more) {
     counts.at_gaps += more.at_gaps;
     counts.reaches.insert(counts.reaches.end(), more.reaches.begin(), more.reaches.end());
 }
-
-} // namespace
 
 void countUnsurrounded(const NeighborLists& lists, const PointSet& points, const NearestSearch& nearest,
                        const std::vector<std::uint8_t>& inner, SurroundCounts& counts) {

@@ -17,6 +17,8 @@ struct SurroundCounts {
     std::vector<float> reaches;   ///< [sampled] distance to the k-th neighbour, input units
 };
 
+void addCounts(SurroundCounts& counts, const SurroundCounts& more);
+
 /// Adds those of a cloud, or of a place in it. Samples nothing for fewer than 8 neighbours.
 /// @param inner [points] 1: the neighbourhood is complete, as of SurfaceDecisions; only these count
 void countUnsurrounded(const NeighborLists& lists, const PointSet& points, const NearestSearch& nearest,
