@@ -26,7 +26,8 @@ PathState scatteredPath(SurfaceInteraction point, PathState path, NextRay ray, u
     vec3 origin = offsetRayOrigin(point.position, side, point.radius, point.bits, ray.direction, self_t);
     Material row = loadMaterial(materialOf(point));
     uint before = path.bits;
-    bool inside = crosses && !isThin(row) ? !isBack(point) : (before & PATH_INSIDE) != 0u;
+    bool enters_or_leaves = crosses && !isThin(row) && point.owner != OWNER_SHAPES;
+    bool inside = enters_or_leaves ? !isBack(point) : (before & PATH_INSIDE) != 0u;
     uint bits = bounceOf(before) + 1u | deferred_count << PATH_DEFERRED_SHIFT | (inside ? PATH_INSIDE : 0u) |
                 point.owner << PATH_OWNER_SHIFT;
     bool is_delta = ray.pdf == 0.0, diffused = is_delta ? (before & PATH_DIFFUSED) != 0u : gathersPhotons(row);

@@ -190,7 +190,7 @@ struct PathState {
 #define PATH_DEFERRED_MASK 0xFu
 // its last scattering other than at mirrors and glass was on a surface that gathers photons
 #define PATH_DIFFUSED 0x1000u
-#define PATH_INSIDE 0x2000u  // has entered glass and not left it
+#define PATH_INSIDE 0x2000u  // has entered glass of a scan and not left it
 #define PATH_CAUSTIC 0x4000u // emission that it hits is already in the photon map
 #define PATH_OWNER_SHIFT 24u // owner of the surface it left, NO_OWNER for camera rays
 #define NO_OWNER 254u

@@ -8,6 +8,8 @@
 #include <cstdio>
 #include <optional>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "tests/trace/render_helper.h"
 
@@ -152,7 +154,9 @@ struct GlassWall {
 };
 
 /// The light of an even sky of radiance 1 through walls between glass that absorbs, but does not bend light.
-double lightThrough(const std::vector<GlassWall>& walls, float absorption, Integrator integrator) {
+/// shapes: of clear glass.
+double lightThrough(const std::vector<GlassWall>& walls, float absorption, Integrator integrator,
+                    std::vector<ShapeDescription> shapes = {}) {
     Splats splats;
     splats.oriented = true;
     for (const GlassWall& wall : walls) {
@@ -165,6 +169,10 @@ double lightThrough(const std::vector<GlassWall>& walls, float absorption, Integ
     glass.index = 1;
     glass.absorption = {absorption, absorption, absorption};
     SceneDescription scene = splatBody(path, glass);
+    scene.materials.push_back(clearGlass());
+    scene.materials.back().index = 1;
+    for (ShapeDescription& shape : shapes) shape.material = static_cast<std::uint32_t>(scene.materials.size() - 1);
+    scene.shapes = std::move(shapes);
     scene.sky = evenSky(1);
     RenderSettings settings = square(8);
     settings.camera.eye = Vec3{0, 0, 3};
@@ -192,6 +200,11 @@ TEST(Glass, AbsorbsOnlyOnTheWayFromWhereLightEntered) {
         EXPECT_NEAR(light({kFront, kBack, {-1, false}}), slab, kTolerance) << "the front of what is behind has a hole";
         EXPECT_NEAR(light({{1, true}, kFront, kBack}), slab, kTolerance) << "the back of what is in front has a hole";
     }
+    // Light that has left a box in the slab has not left the slab. The path integrator ends some paths after three
+    // surfaces.
+    const ShapeDescription box{ShapeKind::kBox, {0, 0, 0}, {0.1, 0, 0}, {0, 0.1, 0}, {0, 0, 0.1}};
+    EXPECT_NEAR(lightThrough({kFront, kBack}, kAbsorption, Integrator::kWhitted, {box}),
+                std::exp(-kAbsorption * (0.25 - 0.1)), kTolerance);
 }
 
 } // namespace
