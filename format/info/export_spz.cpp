@@ -56,7 +56,7 @@ int fractionalBits(const PointOutline& outline) {
 
 std::uint32_t countOf(const PointOutline& outline) {
     if (outline.count.value() > std::numeric_limits<std::uint32_t>::max())
-        throw Error(ExitCode::kBadInput, "SPZ holds less than 2^32 Gaussians: export a .ply");
+        throw Error(ExitCode::kBadInput, "SPZ can hold only fewer than 2^32 Gaussians: export a .ply");
     return static_cast<std::uint32_t>(outline.count.value());
 }
 

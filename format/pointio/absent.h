@@ -12,7 +12,7 @@ namespace pointrt {
 [[noreturn]] inline void refuseWithoutRust(const std::string& format) {
     throw Error(ExitCode::kCannotRun,
                 "this build has no " + format +
-                    ": install Rust (Debian 12: cargo-web rustc-web, Debian 13: cargo rustc) and build again");
+                    " support: install Rust (Debian 12: cargo-web rustc-web, Debian 13: cargo rustc) and build again");
 }
 
 } // namespace pointrt

@@ -83,7 +83,7 @@ void checkPoints(LasFile& file, bool salvages) {
         header.point_count = room;
     }
     if (!header.packed && header.point_count > room)
-        refuseFile(fmt::format("promises {} points, but has the bytes of {}{}", header.point_count, room,
+        refuseFile(fmt::format("promises {} points, but has room for only {}{}", header.point_count, room,
                                room > 0 ? "; --salvage reads these" : ""));
 }
 
@@ -124,7 +124,7 @@ LasFile openLas(std::string_view bytes, bool salvages) {
     LasFile file{bytes, readLasHeader(bytes), {}, {}, 0};
     if (!readVlrs(file, file.header.header_bytes, file.header.vlr_count, false) ||
         !readVlrs(file, file.header.evlr_offset, file.header.evlr_count, true))
-        file.notes.push_back("lacks records that its header announces; their content is ignored");
+        file.notes.push_back("announces more variable-length records than it holds; the missing ones are ignored");
     checkPoints(file, salvages);
     return file;
 }

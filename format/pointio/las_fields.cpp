@@ -136,7 +136,8 @@ constexpr std::size_t kMostBareBytes = 16;
 void addBareBytes(LasFile& file, std::vector<LasField>& fields, const std::string& name, std::string_view descriptor,
                   std::size_t at, std::size_t bytes) {
     if (bytes > kMostBareBytes)
-        file.notes.push_back(fmt::format("has {} undescribed bytes per point; keeps {}", bytes, kMostBareBytes));
+        file.notes.push_back(
+            fmt::format("has {} undescribed bytes per point; only the first {} are kept", bytes, kMostBareBytes));
     bytes = std::min(bytes, kMostBareBytes);
     for (std::size_t done = 0; done < bytes; done += PRO_ATTRIBUTE_COMPONENTS_MAX) {
         LasField field = byteField(name.c_str(), PRO_TYPE_U8, at + done);

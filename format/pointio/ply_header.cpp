@@ -122,8 +122,8 @@ private:
         const std::uint64_t row = is_text ? 2 * header_.properties.size() : header_.rowBytes();
         const std::uint64_t room = (file_.size() - header_.bytes + (is_text ? 1 : 0)) / row;
         if (header_.vertices > room)
-            refuse("promises " + std::to_string(header_.vertices) + " vertices, but has the bytes of " +
-                   std::to_string(room) + " at most");
+            refuse("promises " + std::to_string(header_.vertices) + " vertices, but has room for at most " +
+                   std::to_string(room));
     }
 
     const std::string& path_;

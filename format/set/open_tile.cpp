@@ -98,7 +98,7 @@ void requireContent(const TileSet& set, const ProFile& file, const std::string& 
     if (is(PRO_FLAG_COLOR) != set.colors || is(PRO_FLAG_ORIENTED) != set.oriented)
         refuse(path, "belongs to another set (colours or orientation differ from set.json)");
     if ((file.gaussians() != nullptr) != set.gaussians)
-        refuse(path, "belongs to another set (only one of them holds Gaussians)");
+        refuse(path, "belongs to another set (the tile or the set holds Gaussians, but not both)");
     if (!hasAttributesOf(set, file)) refuse(path, "belongs to another set (attributes differ from set.json)");
 }
 

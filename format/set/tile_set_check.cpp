@@ -44,7 +44,7 @@ void checkLattice(const TileSet& set) {
     for (const double value : set.lattice_origin)
         require(std::abs(value) <= kLengthMax, "lattice: origin is not finite or beyond 1e30");
     require(isLength(set.edge), "lattice: edge is not from 1e-30 to 1e30");
-    require(!set.levels.empty() && set.levels.size() <= kTileSetLevelsMax, "levels: are not 1 to 32");
+    require(!set.levels.empty() && set.levels.size() <= kTileSetLevelsMax, "levels: must have 1 to 32 entries");
     const auto top = static_cast<std::uint32_t>(set.levels.size() - 1);
     require(isLength(2 * edgeOf(set, top)), "lattice: edge is too large for so many levels");
 }
@@ -54,9 +54,9 @@ void checkWorld(const TileSet& set) {
     require(allFinite(up), "up: is not finite");
     const double length = std::hypot(up[0], up[1], up[2]);
     require(length == 0 || std::abs(length - 1) <= kUpTolerance, "up: is not of unit length");
-    require(set.metres == 0 || isLength(set.metres), "metres: are out of range");
+    require(set.metres == 0 || isLength(set.metres), "metres: is out of range");
     require(isNotNegative(set.noise), "noise: is out of range");
-    require(set.input_points <= kWholeMax, "input_points: are more than 2^53");
+    require(set.input_points <= kWholeMax, "input_points: is above 2^53");
     for (std::size_t i = 0; i < set.sensors.size(); ++i) {
         const auto& sensor = set.sensors[i];
         const bool finite = allFinite({sensor[0], sensor[1], sensor[2]});
@@ -85,13 +85,13 @@ void checkAttribute(const SetAttribute& attribute, const char* place) {
               place, "its name is empty, too long or has control characters");
     requireOf(attribute.type >= PRO_TYPE_I8 && attribute.type <= PRO_TYPE_F64, place, "has an unknown type");
     requireOf(attribute.components >= 1 && attribute.components <= PRO_ATTRIBUTE_COMPONENTS_MAX, place,
-              "components are not 1 to 4");
+              "components is not from 1 to 4");
     requireOf(std::isfinite(attribute.low) && std::isfinite(attribute.high) && attribute.low <= attribute.high, place,
               "low and high are not finite or out of order");
 }
 
 void checkAttributes(const TileSet& set) {
-    require(set.attributes.size() <= PRO_ATTRIBUTE_MAX, "attributes: are more than 32");
+    require(set.attributes.size() <= PRO_ATTRIBUTE_MAX, "attributes: must have at most 32 entries");
     std::vector<std::string_view> names;
     for (std::size_t i = 0; i < set.attributes.size(); ++i) {
         checkAttribute(set.attributes[i], placeIn("attributes", i).c_str());
@@ -219,7 +219,7 @@ void check(const TileSet& set) {
     checkSettings(set);
     for (std::size_t i = 0; i < set.levels.size(); ++i) checkLevel(set.levels[i], placeIn("levels", i).c_str());
     checkAttributes(set);
-    require(!set.tiles.empty() && set.tiles.size() <= kTilesMax, "tiles: are not 1 to 2^20");
+    require(!set.tiles.empty() && set.tiles.size() <= kTilesMax, "tiles: must have 1 to 2^20 entries");
     forEachTile(set, [&](std::size_t i) { checkTile(set, set.tiles[i]); });
     forEachTile(set, [&](std::size_t i) {
         if (i > 0) checkOrder(set, i);

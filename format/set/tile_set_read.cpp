@@ -187,7 +187,7 @@ private:
     }
 
     void take(const Json& value) {
-        if (tiles_.size() == kTilesMax) throw SetFault("tiles: are more than 2^20");
+        if (tiles_.size() == kTilesMax) throw SetFault("tiles: must have at most 2^20 entries");
         try {
             tiles_.push_back(tileOf(value));
         } catch (const SetFault& fault) {

@@ -242,9 +242,10 @@ void addOctreeOptions(CommandLine& app, BakeOptions& options) {
     app.add_option("--probe-rays", options.pruning.probe_rays, "Probe rays per leaf, 1 to 65536 (default 64)")
         ->check(range(1u, 65536u))
         ->type_name("N");
-    app.add_option("--prune-harm", options.pruning.harm,
-                   "Largest fraction of rays whose hit pruning may move by more than 1 % of a splat radius, 1e-7 to "
-                   "0.5 (default 0.0001)")
+    app.add_option(
+           "--prune-harm", options.pruning.harm,
+           "Largest fraction of rays whose hits may move by more than 1 % of a splat radius due to pruning, 1e-7 to "
+           "0.5 (default 0.0001)")
         ->check(range(1e-7, 0.5))
         ->type_name("H");
 }

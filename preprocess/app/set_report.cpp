@@ -67,12 +67,12 @@ Json toJson(const SetReport& report) {
     return json;
 }
 
-/// " (left out 2 not finite, 1 strays)", or nothing.
+/// " (left out 2 not finite, 1 outliers)", or nothing.
 std::string leftOutText(const SetPlan& plan) {
     std::string text;
     for (const auto& [count, what] :
          {std::pair{plan.points_non_finite, "not finite"}, std::pair{plan.points_filtered, "filtered out"},
-          std::pair{plan.points_stray, "strays"}})
+          std::pair{plan.points_stray, "outliers"}})
         if (count > 0) text += fmt::format("{}{} {}", text.empty() ? " (left out " : ", ", count, what);
     return text.empty() ? text : text + ")";
 }

@@ -14,7 +14,7 @@ namespace {
 
 using Counts = std::vector<std::pair<std::uint64_t, const char*>>;
 
-/// "1 not finite, 2 strays" of the counts above 0.
+/// "1 not finite, 2 outliers" of the counts above 0.
 std::string listOf(const Counts& counts) {
     std::string text;
     for (const auto& [count, what] : counts)
@@ -29,11 +29,14 @@ std::uint64_t sumOf(const Counts& counts) {
 }
 
 Counts leftOut(const BakeReport& report) {
-    return {
-        {report.points_non_finite, "not finite"},    {report.points_unused, "not used by a face"},
-        {report.points_filtered, "filtered out"},    {report.points_no_data, "without data"},
-        {report.points_withheld, "withheld"},        {report.surface.duplicates_removed + report.merged, "duplicates"},
-        {report.surface.outliers_removed, "strays"}, {report.surface.clean_dropped, "off the surface"}};
+    return {{report.points_non_finite, "not finite"},
+            {report.points_unused, "not used by a face"},
+            {report.points_filtered, "filtered out"},
+            {report.points_no_data, "without data"},
+            {report.points_withheld, "withheld"},
+            {report.surface.duplicates_removed + report.merged, "duplicates"},
+            {report.surface.outliers_removed, "outliers"},
+            {report.surface.clean_dropped, "off the surface"}};
 }
 
 /// The number of points before any was left out, as far as they were counted.
@@ -45,9 +48,9 @@ std::uint64_t pointsBefore(const BakeReport& report) {
 std::string adviceOn(const BakeReport& report) {
     const bool cleaned = report.surface.clean_dropped + report.surface.clean_moved + report.filled > 0;
     const bool stray = report.surface.outliers_removed > 0;
-    if (cleaned && stray) return "; --clean off and --outliers keep leave points as they are";
+    if (cleaned && stray) return "; to leave points as they are, use --clean off and --outliers keep";
     if (cleaned) return "; --clean off leaves points as they are";
-    return stray ? "; --outliers keep keeps strays" : "";
+    return stray ? "; use --outliers keep to keep the outliers" : "";
 }
 
 /// "12.3 MB"; thousands of bytes below 1 MB.
@@ -96,8 +99,9 @@ std::string changesLine(const BakeReport& report) {
         changes.push_back(fmt::format("moved {} to smooth noise", count));
     if (report.filled > 0) changes.push_back(fmt::format("added {} splats to close gaps", report.filled));
     if (const std::size_t count = report.surface.seen_through)
-        changes.push_back(fmt::format("shrank {} discs that a scanner saw through", count));
-    if (report.balls > 0) changes.push_back(fmt::format("made balls of {} points on no surface", report.balls));
+        changes.push_back(fmt::format("shrank {} discs through which a scanner saw farther points", count));
+    if (report.balls > 0)
+        changes.push_back(fmt::format("turned {} points that lie on no surface into balls", report.balls));
     if (changes.empty()) return "every point became a splat: none was left out, moved or added";
     return fmt::format("{}{}", fmt::join(changes, "; "), adviceOn(report));
 }

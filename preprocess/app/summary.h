@@ -11,7 +11,7 @@ namespace pointrt {
 /// "scan.laz: LAZ, 81590 points", or one line for all files.
 std::string inputLine(const BakeReport& report);
 
-/// "left out 3 of 81590 points (1 not finite, 2 strays); moved 4630 to smooth noise": everything that was left out,
+/// "left out 3 of 81590 points (1 not finite, 2 outliers); moved 4630 to smooth noise": everything that was left out,
 /// moved or added, and the options that turn it off.
 std::string changesLine(const BakeReport& report);
 

@@ -95,7 +95,7 @@ void finishGrid(Sink& sink, const InputFile& input) {
     GridBuilder built = std::exchange(sink.grid, {});
     Cloud& cloud = sink.cloud;
     if (built.too_large || (built.grid && !sink.holdsScan()))
-        return sink.note(input, "its grid does not fit in --max-memory: mixed pixels at rims stay in the set");
+        return sink.note(input, "its grid does not fit in --max-memory, so mixed pixels at edges are kept");
     if (!built.grid || built.occupied == 0 || 2 * built.left_out > built.occupied) return;
     const std::size_t points = sink.scans.back().position_count, first = cloud.positions.size() - points;
     const std::string fault = faultOf(built, first, points);

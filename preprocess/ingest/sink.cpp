@@ -278,7 +278,7 @@ void Sink::findNoReturns(const InputFile& input) {
     no_data.push_back({scans.size() - 1, *found, transform.scanFromWorld()});
     if (!scan_.sensor) scan_.sensor = Vec3d::Zero();
     note(input, fmt::format("has {} points with {}, which mark pulses without a return: they are left out, and the "
-                            "scanner is taken to be there",
+                            "scanner is assumed to be at that point",
                             found->points, nameOf(*found)));
 }
 

@@ -44,14 +44,14 @@ constexpr Foreign kUnreadStarts[] = {
 /// The same, recognised by suffix: text, or bytes without a signature.
 constexpr Foreign kUnreadSuffixes[] = {
     {"ksplat lcc", "is a file of Gaussian splats", kConvertSplats},
-    {"fls fws lsproj", "is in a format of FARO's", "export it as E57 from FARO SCENE"},
-    {"zfs zfprj", "is in a format of Z+F's", "export it as E57 from Z+F LaserControl"},
-    {"rxp rdbx", "is in a format of RIEGL's", "export it as E57 or LAZ from RiSCAN PRO or RiPROCESS"},
+    {"fls fws lsproj", "is in a FARO format", "export it as E57 from FARO SCENE"},
+    {"zfs zfprj", "is in a Z+F format", "export it as E57 from Z+F LaserControl"},
+    {"rxp rdbx", "is in a RIEGL format", "export it as E57 or LAZ from RiSCAN PRO or RiPROCESS"},
     {"rcp rcs", "is in Autodesk ReCap's format", "export it as E57 from ReCap"},
-    {"ptg imp lgs lgsx", "is in a format of Leica's", "export it as E57 from Leica Cyclone or Cyclone REGISTER 360"},
-    {"tzf tzs", "is in a format of Trimble's", "export it as E57 from Trimble RealWorks"},
+    {"ptg imp lgs lgsx", "is in a Leica format", "export it as E57 from Leica Cyclone or Cyclone REGISTER 360"},
+    {"tzf tzs", "is in a Trimble format", "export it as E57 from Trimble RealWorks"},
     {"dp", "is in DotProduct's format", "export it as E57, PTX or PLY from Dot3D"},
-    {"clr cl3", "is in a format of Topcon's", "export it as E57 from MAGNET Collage or ScanMaster"},
+    {"clr cl3", "is in a Topcon format", "export it as E57 from MAGNET Collage or ScanMaster"},
     {"pod", "is in Bentley Pointools' format", "export it as E57 from Pointools or Descartes"},
     {"dae wrl x3d 3ds stp step igs iges dxf ifc", "is a 3D model", kConvertMesh},
 };

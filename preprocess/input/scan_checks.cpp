@@ -100,8 +100,8 @@ void noteUnits(Sink& sink) {
     }
     if (!smallest || large < kLeast * small || large > kMost * small) return;
     addNote(sink.cloud, largest->name,
-            fmt::format("is {:.0f} times the size of {}: metres and millimetres? --transform scales a scan baked by "
-                        "itself",
+            fmt::format("is {:.0f} times the size of {}: are the units metres and millimetres? To rescale a scan, bake "
+                        "it by itself with --transform",
                         large / small, smallest->name));
 }
 

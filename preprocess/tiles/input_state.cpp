@@ -54,7 +54,7 @@ void requireUnwritten(const SetPlan& plan, const std::vector<std::string>& paths
     for (std::size_t i = 0; i < now.size(); ++i) {
         const PlanInput& then = plan.inputs.at(i);
         if (now[i].bytes != then.bytes || now[i].modified_ns != then.modified_ns)
-            refuse(plan, then.path + " has changed since it was started");
+            refuse(plan, then.path + " has changed since the bake was started");
     }
 }
 

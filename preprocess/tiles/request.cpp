@@ -101,8 +101,8 @@ void requireSameRequest(const SetPlan& plan, const SetRequest& request) {
     for (const auto& [name, value] : now.items())
         if (text(then, name) != text(now, name))
             throw Error(ExitCode::kBadUsage,
-                        fmt::format("{}: was started with {} of --{}, not {}; --force starts again", plan.work,
-                                    text(then, name), name, text(now, name)));
+                        fmt::format("{}: was started with a different --{} ({}, not {}); --force starts again",
+                                    plan.work, name, text(then, name), text(now, name)));
     if (then != now)
         throw Error(ExitCode::kBadUsage, plan.work + ": was started with other options; --force starts again");
 }

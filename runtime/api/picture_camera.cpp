@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "format/base/error.h"
+#include "runtime/api/setting_names.h"
 #include "runtime/scene/camera.h"
 #include "runtime/scene/camera_range.h"
 #include "runtime/scene/default_lighting.h"
@@ -37,13 +38,6 @@ CameraRequest requestOf(const LookAt& said, const LoadedScene& loaded, CameraReq
     return camera;
 }
 
-/// Removes the dashes of command line options from a message.
-[[noreturn]] void rethrowWithoutDashes(const Error& error) {
-    std::string text = error.what();
-    for (std::size_t at = text.find("--"); at != std::string::npos; at = text.find("--", at)) text.erase(at, 2);
-    throw Error{error.code, text};
-}
-
 Camera framedCamera(const LookAt& said, const LoadedScene& loaded, const LoadRequest& request, PixelSize size) {
     const bool faces_section = loaded.section_camera && !said.eye && !said.target;
     const CameraRequest wanted =
@@ -51,13 +45,11 @@ Camera framedCamera(const LookAt& said, const LoadedScene& loaded, const LoadReq
     const double aspect = static_cast<double>(size.width) / size.height;
     const bool fov_is_free = !said.fov_deg && request.fov_is_free;
     const Vec3 up = sceneUp(loaded.scene.description, loaded.settings);
-    try {
+    return namingSettings([&] {
         const FramedRequest framed =
             frameScene(wanted, loaded.kept_sample, up, {aspect, loaded.free_share}, fov_is_free);
         return frameCamera(framed.camera, loaded.scene.bounds.lo, loaded.scene.bounds.hi, aspect);
-    } catch (const Error& error) {
-        rethrowWithoutDashes(error);
-    }
+    });
 }
 
 CameraPose poseOf(const std::array<double, 16>& m) {

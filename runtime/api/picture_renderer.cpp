@@ -8,6 +8,7 @@
 #include "runtime/api/picture_camera.h"
 #include "runtime/api/picture_layers.h"
 #include "runtime/api/picture_settings.h"
+#include "runtime/api/setting_names.h"
 #include "runtime/cast/trace_device.h"
 #include "runtime/cast/translated.h"
 #include "runtime/render/camera_series.h"
@@ -100,7 +101,9 @@ private:
 
 PictureRenderer::PictureRenderer(const TraceDevice& device, const std::vector<std::string>& paths,
                                  const PictureSettings& settings)
-    : state_(translated([&] { return std::make_unique<State>(device.state_, requestFor(paths, settings)); })) {}
+    : state_(translated([&] {
+          return namingSettings([&] { return std::make_unique<State>(device.state_, requestFor(paths, settings)); });
+      })) {}
 PictureRenderer::~PictureRenderer() = default;
 PictureRenderer::PictureRenderer(PictureRenderer&&) noexcept = default;
 PictureRenderer& PictureRenderer::operator=(PictureRenderer&&) noexcept = default;

@@ -162,9 +162,10 @@ private:
     void reportEnd() const {
         const std::size_t count = list_.shots.size();
         if (farther_ > 0 && !options_.quiet)
-            std::fprintf(stderr, "pointrt-view: %s: %llu pixels are farther than 65535 depth units of %s and are 0\n",
-                         options_.output.c_str(), static_cast<unsigned long long>(farther_),
-                         plainText(files_.depth_unit).c_str());
+            std::fprintf(
+                stderr, "pointrt-view: %s: %llu pixels are farther than 65535 depth units of %s and are written as 0\n",
+                options_.output.c_str(), static_cast<unsigned long long>(farther_),
+                plainText(files_.depth_unit).c_str());
         if (count < plan_.shots.size())
             std::fprintf(stderr, "pointrt-view: %s: interrupted after %zu of %zu pictures\n", options_.output.c_str(),
                          count, plan_.shots.size());

@@ -175,7 +175,8 @@ void InstanceResidency::add(std::uint32_t number, DeviceScan scan) {
     if (isTile(number) && scan.is_gaussian) {
         destroyScan(device_, scan);
         throw Error(ExitCode::kBadInput,
-                    list_.files[number].path + ": belongs to another set (only one of them holds Gaussians)");
+                    list_.files[number].path +
+                        ": belongs to another set (the tile or the set holds Gaussians, but not both)");
     }
     const std::uint64_t declared = list_.files[number].bytes, device_bytes = scan.device_bytes;
     const std::uint64_t bytes = std::max(declared, device_bytes);
@@ -205,7 +206,7 @@ std::uint64_t InstanceResidency::bytesExpected(std::uint32_t file) const {
 void InstanceResidency::refuseTile(std::uint64_t bytes) const {
     const SizeAndLimit shown = sizeAndLimit(bytes, memory_, mebibytes);
     throw Error(ExitCode::kBadUsage,
-                "one tile needs " + shown.size + " but the limit is " + shown.limit + ": allow more memory");
+                "one tile needs " + shown.size + " but the memory limit is " + shown.limit + "; raise it");
 }
 
 /// The splats of an instance that filters show; none: all.

@@ -49,7 +49,7 @@ std::vector<FilterDescription> filtersOf(const SceneOptions& options) {
         try {
             filters.push_back(parseFilter(text));
         } catch (const std::invalid_argument& reason) {
-            throw Error(ExitCode::kBadUsage, reason.what());
+            throw Error(ExitCode::kBadUsage, std::string("only: ") + reason.what());
         }
     }
     return filters;
@@ -59,7 +59,7 @@ std::vector<FilterDescription> filtersOf(const SceneOptions& options) {
 InstanceList described(const std::vector<std::string>& paths, const SceneOptions& options) {
     InstanceList list = describeInstances(paths, clipsOf(options), filtersOf(options));
     if (!list.shapes.empty() && list.scene_instances.size() >= kShapesInstance)
-        throw Error(ExitCode::kBadUsage, "a scene with shapes has at most 254 instances");
+        throw Error(ExitCode::kBadUsage, "more than 254 instances in a scene with shapes");
     return list;
 }
 

@@ -86,7 +86,7 @@ pro_file* openCachedIndex(const FileCache& cache, const pro_file* file) {
 }
 
 std::string cacheIndex(const FileCache& cache, const pro_file* file, const pro_index& index) {
-    if (cache.folder.empty()) return "there is no cache folder, or it is off";
+    if (cache.folder.empty()) return "the index cache is off or has no folder";
     const std::uint64_t bytes = cachedBytes(file, index);
     if (!makeRoomFor(cache, bytes)) return cache.folder + " has no room for " + mebibytes(bytes);
     pro_info info;

@@ -159,7 +159,8 @@ void openTile(const OpenedSet& set, TileFile& file) {
         file.scan = mapTracedScan(path);
         // set.json says what the tiles contain, and programs and buffers are chosen accordingly
         if (file.scan.is_gaussian != set.set.gaussians)
-            throw Error(ExitCode::kBadInput, path + ": belongs to another set (only one of them holds Gaussians)");
+            throw Error(ExitCode::kBadInput,
+                        path + ": belongs to another set (the tile or the set holds Gaussians, but not both)");
     } catch (...) {
         file.failure = std::current_exception();
     }

@@ -108,8 +108,8 @@ std::uint64_t deviceLocalBytes(const VkPhysicalDeviceMemoryProperties& memory) {
 }
 
 const char* missingQueue(const QueueNeeds& needs) {
-    if (needs.present) return "no queue that computes, draws and reaches this display";
-    return needs.graphics ? "no queue that both computes and draws" : "no compute queue";
+    if (needs.present) return "no queue for compute, graphics and presenting to this display";
+    return needs.graphics ? "no queue for both compute and graphics" : "no compute queue";
 }
 
 void inspectSubgroupSizes(Candidate& candidate) {
@@ -181,7 +181,7 @@ std::string missingDescriptors(const VkPhysicalDeviceLimits& limits) {
         {"uniform buffers", limits.maxPerStageDescriptorUniformBuffers, kRenderDescriptors.uniform_buffers}};
     for (const auto& each : kinds)
         if (each.limit < each.needed)
-            return "programs may bind " + std::to_string(each.limit) + " " + each.what + ", " +
+            return "programs may bind " + std::to_string(each.limit) + " " + each.what + ", but " +
                    std::to_string(each.needed) + " are needed";
     return {};
 }
@@ -214,11 +214,11 @@ bool queriesRays(const Candidate& candidate, Traversal traversal) {
 std::string refusalOf(const Candidate& candidate) {
     const VkPhysicalDeviceProperties& properties = candidate.properties;
     if (properties.apiVersion < VK_API_VERSION_1_2)
-        return "it has Vulkan " + versionText(properties.apiVersion) + ", 1.2 is needed";
+        return "it has Vulkan " + versionText(properties.apiVersion) + ", but 1.2 is needed";
     if (!candidate.queue_family) return missingQueue(candidate.needs);
     if (candidate.needs.present && !candidate.swapchain) return "it cannot show pictures in a window";
     if (properties.limits.maxTexelBufferElements < kMinTexels)
-        return "texel buffers hold " + std::to_string(properties.limits.maxTexelBufferElements) + " elements, " +
+        return "texel buffers hold " + std::to_string(properties.limits.maxTexelBufferElements) + " elements, but " +
                std::to_string(kMinTexels) + " are needed";
     if (!(candidate.subgroup.supportedStages & VK_SHADER_STAGE_COMPUTE_BIT))
         return "no subgroup operations in compute shaders";

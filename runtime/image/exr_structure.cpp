@@ -143,7 +143,7 @@ ExrStructure checkExr(const std::string& path, std::span<const std::uint8_t> fil
     Cursor cursor{path, file};
     if (cursor.number<std::uint32_t>() != kExrMagic) cursor.fail("wrong magic number");
     if ((cursor.number<std::uint32_t>() & ~kLongNames) != kExrVersion)
-        cursor.fail("tiles, several parts and deep pixels are not supported");
+        cursor.fail("tiled, multi-part and deep files are not supported");
     ExrStructure structure;
     const auto attributes = readAttributes(cursor, structure.texts);
     structure.channels = readChannels(attribute(cursor, attributes, "channels", 1));
@@ -152,7 +152,7 @@ ExrStructure checkExr(const std::string& path, std::span<const std::uint8_t> fil
     const auto compression = attribute(cursor, attributes, "compression", 1).number<std::uint8_t>();
     if (compression > kPiz) cursor.fail("only RLE, ZIP and PIZ compression are supported");
     // otherwise tinyexr would take the length of the offset table from it
-    if (attributes.count("chunkCount")) cursor.fail("chunkCount belongs to files of several parts");
+    if (attributes.count("chunkCount")) cursor.fail("chunkCount is an attribute of multi-part files only");
     if (std::uint64_t{structure.width} * structure.height * structure.channels.size() * sizeof(float) >
         kMaxDecodedBytes)
         cursor.fail("more than 4 GiB of pixels");

@@ -24,7 +24,8 @@ Vec3 signedBy(Vec3 normal) {
 /// Throws TraceError kBadUsage if the points lie on a line.
 PrincipalAxes axesOfPlane(std::span<const Vec3> points, const std::string& what) {
     const PrincipalAxes axes = principalAxes(points);
-    if (!(axes.deviation[1] > kNoSpread * axes.deviation[0])) refuseMeasure(what + ": the points lie on a line");
+    if (!(axes.deviation[1] > kNoSpread * axes.deviation[0]))
+        refuseMeasure("cannot fit " + what + ": the points lie on a line");
     return axes;
 }
 
@@ -53,7 +54,7 @@ FittedCircle fitCircle(std::span<const Position> given) {
         flat.push_back({dot(from_center, axes.axes[0]), dot(from_center, axes.axes[1])});
     }
     const auto round = fitRound<2>(flat);
-    if (!round) refuseMeasure("a circle: the points lie on a line");
+    if (!round) refuseMeasure("cannot fit a circle: the points lie on a line");
     const Vec3 center = axes.center + unit * (round->center[0] * axes.axes[0] + round->center[1] * axes.axes[1]);
     const double radius = unit * round->radius;
     const double rms = rmsOf(points, [&](Vec3 point) {
@@ -71,7 +72,7 @@ FittedSphere fitSphere(std::span<const Position> given) {
     for (const Vec3& point : points) around.push_back(arrayOf((1 / unit) * (point - axes.center)));
     const bool is_flat = !(axes.deviation[2] > kNoSpread * unit);
     const auto round = is_flat ? std::nullopt : fitRound<3>(around);
-    if (!round) refuseMeasure("a sphere: the points lie in a plane");
+    if (!round) refuseMeasure("cannot fit a sphere: the points lie in a plane");
     const Vec3 center = axes.center + unit * vectorOf(round->center);
     const double radius = unit * round->radius;
     return {arrayOf(center), radius, rmsOf(points, [&](Vec3 point) { return length(point - center) - radius; })};

@@ -11,7 +11,7 @@ void refuseMeasure(const std::string& reason) { throw TraceError(TraceError::Kin
 
 void requireCount(std::span<const Position> points, std::size_t least, const std::string& what) {
     if (points.size() < least)
-        refuseMeasure(what + " needs " + std::to_string(least) + " points or more, not " +
+        refuseMeasure(what + " needs at least " + std::to_string(least) + " points, not " +
                       std::to_string(points.size()));
 }
 

@@ -76,12 +76,12 @@ void addDeviceAndReport(CommandLine& app, CommonOptions& options) {
         ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
     app.add_option_function<std::string>(
            "--memory", [&options](const std::string& text) { options.scene_options.memory = bytesOf(text); },
-           "Memory limit for the tiles of sets, e.g. 4G or 500M (default 2G); a smaller limit reloads tiles, with the "
-           "same results")
+           "Memory limit for the tiles of sets, e.g. 4G or 500M (default 2G); a smaller limit reloads tiles more "
+           "often, but gives the same results")
         ->type_name("SIZE");
     app.add_option("--device", options.device,
-                   "Vulkan device, by index or part of its name (default: a discrete GPU before an integrated one, "
-                   "a processor last); list them with pointrt-view --device list")
+                   "Vulkan device, by number or part of its name (default: a discrete GPU, else an integrated one, "
+                   "else a CPU driver); list them with pointrt-view --device list")
         ->type_name("DEVICE");
     app.add_option("--stats", options.stats,
                    "Write a JSON report of the run; - is standard output, for commands that print no results there")

@@ -49,9 +49,10 @@ void addOptions(CommandLine& app, CompareOptions& options) {
         ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
     completes(app, "SCENE", ".pro .proset .toml .ply");
     addPointOutput(app, options, false);
-    addValue(app, "--max", "DISTANCE",
-             "Largest distance to measure, in the scan's unit (default: 20 median splat radii of the reference)",
-             [&](const std::string& text) { options.most = parseRealAbove(text, 0, kFarthest); });
+    addValue(
+        app, "--max", "DISTANCE",
+        "Largest distance to measure, in the scan's unit (default: 20 times the median splat radius of the reference)",
+        [&](const std::string& text) { options.most = parseRealAbove(text, 0, kFarthest); });
     addValue(app, "--tolerance", "DISTANCE", "Also print the share of points farther away than this (default: off)",
              [&](const std::string& text) { options.tolerance = parseReal(text, 0, kFarthest); });
     app.add_flag("--json", options.json, "Print the statistics as JSON");

@@ -31,7 +31,7 @@ std::vector<std::string> splitAt(const std::string& text, const char* separators
 
 [[noreturn]] void refusePoint(const std::string& option, const std::string& word, bool plane) {
     throw Error(ExitCode::kBadUsage, option + ": \"" + word + "\" is not " + (plane ? "x,y or x,y,z" : "x,y,z") +
-                                         "; points are separated by blanks");
+                                         "; separate points by spaces");
 }
 
 GivenPositions listedPositions(const std::string& text, const std::string& option, bool plane) {

@@ -159,7 +159,8 @@ void warnOfHoles(const MeasureOptions& options, const Measured& measured) {
     constexpr double kAllCovered = 1 - 1e-4; // as printed
     for (const ResultNumber& number : measured.numbers)
         if (number.name == "covered" && number.value < kAllCovered)
-            printNote(options, "measure: a part of the area has no surface and is not counted: see covered");
+            printNote(options, "measure: part of the rim's area has no surface and does not count towards the volume "
+                               "(see the result 'covered')");
 }
 
 void measure(const MeasureOptions& options, MeasureRun& run) {

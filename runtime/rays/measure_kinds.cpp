@@ -14,7 +14,7 @@ namespace {
 /// Throws unless there are exactly count points.
 void checkCount(const std::vector<Position>& points, std::size_t count, const std::string& what) {
     if (points.size() != count)
-        throw Error(ExitCode::kBadUsage, "--points: " + what + " has " + std::to_string(count) + " points, not " +
+        throw Error(ExitCode::kBadUsage, "--points: " + what + " takes " + std::to_string(count) + " points, not " +
                                              std::to_string(points.size()));
 }
 

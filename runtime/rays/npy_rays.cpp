@@ -66,7 +66,7 @@ private:
         numbers.resize(width() * rays);
         const std::size_t bytes = numbers.size() * sizeof(Number), got = input_->read(numbers.data(), bytes);
         if (got < bytes)
-            throw Error(ExitCode::kBadInput, input_->name() + ": ends in " + kind_.row + " " +
+            throw Error(ExitCode::kBadInput, input_->name() + ": truncated in " + kind_.row + " " +
                                                  std::to_string(done_ + got / (width() * sizeof(Number))) + " of " +
                                                  std::to_string(header_.shape[0]));
     }

@@ -81,7 +81,7 @@ private:
 bool isProOutput(const std::string& output) { return output.ends_with(".pro"); }
 
 std::string scanOfResults(const std::string& points, const std::vector<std::string>& scene) {
-    const Error refusal(ExitCode::kBadUsage, "-o: a .pro takes the results of one scan that is a .pro; write a .ply");
+    const Error refusal(ExitCode::kBadUsage, "-o: a .pro output needs points from a single .pro scan; write a .ply");
     if (!points.empty() && !isSceneOrSet(points) && !beginsAsPro(points)) throw refusal;
     const InstanceList list = describeInstances(points.empty() ? scene : std::vector{points});
     if (list.scene_instances.size() != 1 || list.scene_instances.front().set || list.files.size() != 1) throw refusal;

@@ -65,8 +65,8 @@ void addOptions(CommandLine& app, ProfileOptions& options) {
              [&](const std::string& text) { options.rules.start_height = parseReal(text, -kFarthest, kFarthest); });
     app.add_flag("--all", options.rules.all, "Write every surface that a ray passes through, not only the first");
     addValue(app, "--apart", "LENGTH",
-             "With --all: count surfaces closer together than this as one (default: the scan's point spacing, two "
-             "median radii)",
+             "With --all: count surfaces closer together than this as one (default: the scan's point spacing, "
+             "twice the median radius)",
              [&](const std::string& text) { options.apart = parseReal(text, 0, kFarthest); });
     addValue(app, "--up", "X,Y,Z", "Up in the scan's coordinates (default: the scan's up, else +Z)",
              [&](const std::string& text) { options.up = parseTriple(text); });

@@ -73,7 +73,8 @@ PointOutline outlineOf(const InstanceList& list, const InstanceRun& instance) {
 
 /// @param scene for messages
 PointOutline outlineOf(const InstanceList& list, const std::string& scene) {
-    if (list.scene_instances.empty()) throw Error(ExitCode::kBadInput, scene + ": has no scan, so no points to study");
+    if (list.scene_instances.empty())
+        throw Error(ExitCode::kBadInput, scene + ": has no scan, so there are no points to evaluate; give --points");
     PointOutline all = outlineOf(list, list.scene_instances.front());
     for (std::size_t i = 1; i < list.scene_instances.size(); ++i)
         intersect(all, outlineOf(list, list.scene_instances[i]));

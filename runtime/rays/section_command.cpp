@@ -72,7 +72,8 @@ void addLengths(CommandLine& app, SectionOptions& options) {
              "Distance between rays; surfaces closer together than two steps become one line (default: the median "
              "radius of the scan's discs, half the point spacing)",
              [&](const std::string& text) { options.step = parseRealAbove(text, 0, kFarthest); });
-    addValue(app, "--gap", "LENGTH", "Join lines across gaps up to this width (default: 6 steps; at least 2.5)",
+    addValue(app, "--gap", "LENGTH",
+             "Join lines across gaps up to this width (default: 6 steps; never less than 2.5 steps)",
              [&](const std::string& text) { options.gap = parseReal(text, 0, kFarthest); });
     addValue(app, "--tolerance", "LENGTH",
              "Simplify lines, moving them at most this far from the points that rays hit; larger values give fewer "

@@ -43,16 +43,17 @@ void addOptions(CommandLine& app, SunOptions& options) {
         app, "--at", "LAT,LON", "Location of the scan in degrees, north and east positive",
         [&](const std::string& text) { options.study.place = parsePlace(text); }, true);
     addValue(
-        app, "--date", "DATE", "The day, or the first one, e.g. 2026-06-21",
+        app, "--date", "DATE", "First day, e.g. 2026-06-21",
         [&](const std::string& text) { options.study.first = parseDate(text); }, true);
-    addValue(app, "--to", "DATE", "The last day (default: that of --date)",
+    addValue(app, "--to", "DATE", "Last day (default: the first)",
              [&](const std::string& text) { options.last = parseDate(text); });
     addValue(app, "--every", "MINUTES", "Minutes between two positions of the sun (default 15)",
              [&](const std::string& text) { options.study.every_min = parseRealAbove(text, 0, 1440); });
-    addValue(app, "--zone", "OFFSET",
-             "UTC offset of local time, whose midnight begins the day: +02:00, -8, Z (default: from the longitude, 15 "
-             "degrees per hour)",
-             [&](const std::string& text) { options.study.utc_offset_h = parseUtcOffset(text); });
+    addValue(
+        app, "--zone", "OFFSET",
+        "UTC offset of the local time in which days begin at midnight: +02:00, -8, Z (default: from the longitude, 15 "
+        "degrees per hour)",
+        [&](const std::string& text) { options.study.utc_offset_h = parseUtcOffset(text); });
     addValue(app, "--north", "X,Y,Z",
              "True north in the scan's coordinates (default: from its coordinate system, else +Y, or -Z if Y is up)",
              [&](const std::string& text) { options.north = parseTriple(text); });
@@ -91,7 +92,7 @@ void printSummary(const SunOptions& options, const Lights& sun, const StudyFrame
     printNote(options, "sun: " + std::to_string(sun.weights.size()) + " instants, " + hoursText(above) +
                            " hours above the horizon; days begin at midnight, " +
                            zoneText(study.utc_offset_h.value_or(utcOffsetOf(study.place))) +
-                           (study.utc_offset_h ? "" : " (by the longitude)") + "; " + frame.note);
+                           (study.utc_offset_h ? "" : " (from the longitude)") + "; " + frame.note);
 }
 
 /// Sums the weights of the lights that reach each point, as floats, in groups of lights that take about a second.

@@ -49,7 +49,7 @@ void checkOptions(const ViewshedOptions& options) {
     checkStudyOptions(options);
     if (options.from.size() > kMostObservers)
         throw Error(ExitCode::kBadUsage,
-                    "--from: " + std::to_string(options.from.size()) + " observers, at most 255 are possible");
+                    "--from: " + std::to_string(options.from.size()) + " observers, but at most 255 are possible");
 }
 
 std::vector<PointColumn> resultColumns(std::size_t observers) {

@@ -83,9 +83,11 @@ std::optional<DefaultColors> defaultColors(const DeviceScene& scene, const Scene
 }
 
 void requireColored(const char* option, const std::string& color_by) {
-    if (option && color_by == kOwnColors) throw Error{ExitCode::kBadUsage, std::string(option) + ": needs --color-by"};
+    if (option && color_by == kOwnColors)
+        throw Error{ExitCode::kBadUsage,
+                    std::string(option) + ": needs --color-by NAME: scans are shown in their own colours"};
     if (option && color_by == kNormal)
-        throw Error{ExitCode::kBadUsage, std::string(option) + ": does not apply to --color-by normal"};
+        throw Error{ExitCode::kBadUsage, std::string(option) + ": has no effect with --color-by normal"};
 }
 
 } // namespace pointrt

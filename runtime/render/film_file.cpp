@@ -64,7 +64,7 @@ void writeSavedFilm(const std::string& path, const SavedFilm& saved) {
 }
 
 void refuseFilm(const std::string& path, const std::string& reason) {
-    throw Error{ExitCode::kBadInput, path + ": not a film to continue: " + reason};
+    throw Error{ExitCode::kBadInput, path + ": cannot be resumed: " + reason};
 }
 
 std::optional<SavedFilm> readSavedFilm(const std::string& path) {

@@ -48,7 +48,7 @@ std::size_t countHalfSpaces(std::span<const ClipDescription> clips) {
 
 void requireFewHalfSpaces(std::span<const ClipDescription> clips) {
     if (countHalfSpaces(clips) > MAX_CLIP_PLANES)
-        throw Error{ExitCode::kBadUsage, "clips have at most 32 planes together, a box counts as six"};
+        throw Error{ExitCode::kBadUsage, "more than 32 clip planes in all; a box counts as six"};
 }
 
 HalfSpace nothingKept() {

@@ -14,7 +14,7 @@ namespace {
 
 [[noreturn]] void refuseFilter(const std::string& text) {
     throw std::invalid_argument("\"" + printable(text) +
-                                "\" is not a filter such as class=2,6 or height=10:25.5 (from and to)");
+                                "\" is not a filter such as class=2,6 or the range height=10:25.5");
 }
 
 double numberIn(const std::string& word, const std::string& text) {

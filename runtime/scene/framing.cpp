@@ -45,7 +45,7 @@ ViewChoice chosen(const CameraRequest& request, const SceneSample& sample, Vec3 
     if (!request.view) return chooseView(sample, up);
     if (*request.view != StandardView::kSensor) return {sideOf(*request.view, up), {}};
     if (const auto view = viewOfSensor(sample, up)) return *view;
-    throw Error{ExitCode::kBadUsage, "--view sensor: no scan contains its scanner's position"};
+    throw Error{ExitCode::kBadUsage, "--view sensor: no scan file states a scanner position"};
 }
 
 /// A view from a fixed eye; if the field of view is free, it becomes as wide as needed.
@@ -94,7 +94,8 @@ FramedRequest fromOutside(CameraRequest request, const SceneSample& sample, Vec3
 FramedRequest fromWithin(const CameraRequest& request, const SceneSample& sample, Vec3 up) {
     const ViewChoice choice = chosen(request, thinned(sample), up);
     if (!choice.eye)
-        throw Error{ExitCode::kBadUsage, "--panorama: needs --eye X,Y,Z: no scan contains its scanner's position"};
+        throw Error{ExitCode::kBadUsage,
+                    "--panorama: cannot choose a camera position inside this scan; give --eye X,Y,Z"};
     FramedRequest framed{request, {}};
     framed.camera.view.reset();
     framed.camera.eye = choice.eye;

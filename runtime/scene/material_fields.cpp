@@ -20,8 +20,8 @@ constexpr MaterialField kFields[] = {
      false},
     {"roughness", &M::roughness, 0, 1, "Roughness", "0: polished, 1: dull", "%.2f", false},
     {"thin", &M::thin, 0, 1, "Pane", "a thin pane, not a solid: light goes straight through", "", false},
-    {"absorption", &M::absorption, 0, kLargest, "Tint", "white light after it went through a tenth of the scene", "",
-     false, &M::thin},
+    {"absorption", &M::absorption, 0, kLargest, "Tint",
+     "colour of white light after passing through a tenth of the scene", "", false, &M::thin},
 };
 
 constexpr const MaterialField* field(std::string_view key) {

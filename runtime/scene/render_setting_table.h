@@ -138,8 +138,8 @@ inline constexpr std::tuple kRenderSettings{
         BackgroundWord{},
         OnCommandLine{HelpGroup::kLightAndSurfaces, "--background", "COLOR",
             "Plain background: {limits}. It replaces the sky and the studio floor, and turns off the compression of "
-            "highlights; transparent writes RGBA PNGs (default: none; a scene of Gaussian captures only gets black, "
-            "and no lamps)"},
+            "highlights; transparent writes RGBA PNGs (default: none; scenes that hold only Gaussian captures get "
+            "black and no lamps)"},
         InSceneFile{FileTable::kScene, 2, "background"},
         InFilm{16, "background", nullptr, true}},
     RenderSetting{&RenderSettings::shadows, &RenderChoices::shadows,
@@ -161,7 +161,7 @@ inline constexpr std::tuple kRenderSettings{
     RenderSetting{&RenderSettings::relight, &RenderChoices::relight,
         OneOf{kSwitchNames},
         OnCommandLine{HelpGroup::kLightAndSurfaces, "--relight", "on|off",
-            "Light Gaussian captures by the scene, as matte surfaces of their base colours, instead of showing the "
+            "Light Gaussian captures with the lights of the scene, as matte surfaces of their base colours, instead of showing the "
             "light that was captured (default {default})"},
         InSceneFile{FileTable::kRender, 18, "relight"},
         InFilm{17, "relight", nullptr, true}},

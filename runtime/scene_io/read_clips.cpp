@@ -37,7 +37,7 @@ void readClips(const SceneValue& file, SceneReading& reading) {
     for (const SceneValue& table : findTables(file, "clip")) {
         reading.scene.clips.push_back(clipOf(table));
         if (countHalfSpaces(reading.scene.clips) > MAX_CLIP_PLANES)
-            refuse(table, "clips have at most 32 planes together, a box counts as six");
+            refuse(table, "more than 32 clip planes in all; a box counts as six");
     }
 }
 

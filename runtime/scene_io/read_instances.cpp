@@ -75,7 +75,7 @@ constexpr std::size_t kMaxNumbers = 256; // as many as there are classes
 /// Each number as a range.
 std::vector<ValueRange> numbersOf(const SceneValue& value) {
     if (!value.node->is_array() || value.node->as_array()->empty()) refuse(value, "must be a list of numbers");
-    if (value.node->as_array()->size() > kMaxNumbers) refuse(value, "has at most 256 numbers");
+    if (value.node->as_array()->size() > kMaxNumbers) refuse(value, "has more than 256 numbers");
     std::vector<ValueRange> ranges;
     for (const SceneValue& each : elementsOf(value)) {
         const double number = numberOf(each, kNumbers);
@@ -126,7 +126,7 @@ InstanceDescription instanceOf(const SceneValue& table, const SceneReading& read
     for (const SceneValue& each : findTables(table, "override")) {
         instance.overrides.push_back(overrideOf(each, reading));
         if (std::holds_alternative<MaterialOverride::ColorRange>(instance.overrides.back().splats)) ++ranges;
-        if (ranges > MAX_COLOR_RANGES) refuse(each, "an instance has at most 8 colour ranges");
+        if (ranges > MAX_COLOR_RANGES) refuse(each, "more than 8 colour ranges in one instance");
     }
     return instance;
 }
@@ -158,7 +158,7 @@ std::array<Vec3, 3> rotationOf(const SceneValue& value) {
 
 void readInstances(const SceneValue& file, SceneReading& reading) {
     for (const SceneValue& table : findTables(file, "instance")) {
-        if (reading.scene.instances.size() == kMaxInstances) refuse(table, "there are at most 254 instances");
+        if (reading.scene.instances.size() == kMaxInstances) refuse(table, "more than 254 instances");
         reading.scene.instances.push_back(instanceOf(table, reading));
     }
 }

@@ -166,7 +166,7 @@ LightDescription lightOf(const SceneValue& table, SceneReading& reading) {
 
 void readLights(const SceneValue& file, SceneReading& reading) {
     for (const SceneValue& table : findTables(file, "light")) {
-        if (reading.scene.lights.size() == MAX_LIGHTS) refuse(table, "there are at most 32 lights");
+        if (reading.scene.lights.size() == MAX_LIGHTS) refuse(table, "more than 32 lights");
         reading.scene.lights.push_back(lightOf(table, reading));
     }
 }

@@ -92,7 +92,7 @@ void readMaterials(const SceneValue& file, SceneReading& reading) {
     for (const auto& [name, table] : membersOf(*all)) {
         if (!table.node->is_table()) refuse(table, "must be a table, begun with [material.NAME]");
         if (name.empty() || name != printable(name)) refuse(table, "is not a valid name of a material");
-        if (reading.scene.materials.size() == kMaxMaterials) refuse(table, "there are at most 256 materials");
+        if (reading.scene.materials.size() == kMaxMaterials) refuse(table, "more than 256 materials");
         const auto number = static_cast<std::uint32_t>(reading.scene.materials.size());
         reading.scene.materials.push_back(readMaterial(table));
         reading.scene.materials.back().name = name;

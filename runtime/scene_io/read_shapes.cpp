@@ -113,7 +113,7 @@ std::uint32_t defaultMaterial(const SceneValue& table, SceneReading& reading) {
     auto& materials = reading.scene.materials;
     const auto [found, is_new] = reading.material_of_name.try_emplace("", static_cast<std::uint32_t>(materials.size()));
     if (is_new && materials.size() == kMaxMaterials)
-        refuse(table, "\"material\" is missing, and there are 256 already");
+        refuse(table, "\"material\" is missing, and the scene already has 256 materials, so no default can be added");
     if (is_new) materials.emplace_back();
     return found->second;
 }
@@ -182,7 +182,7 @@ HalfEdges halfEdgesOf(const SceneValue& table) {
 
 void requireRoomForShape(const SceneValue& value, const SceneReading& reading) {
     const std::size_t shapes = reading.scene.shapes.size() + countSurfaces(reading.scene.lights);
-    if (shapes >= MAX_SHAPES) refuse(value, "there are at most 64 shapes, " + lampsInWords() + " counted");
+    if (shapes >= MAX_SHAPES) refuse(value, "more than 64 shapes, counting " + lampsInWords());
 }
 
 void readShapes(const SceneValue& file, SceneReading& reading) {

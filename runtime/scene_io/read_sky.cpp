@@ -8,7 +8,8 @@ namespace {
 void readImage(const SceneValue& table, const SceneReading& reading, SkyDescription& sky) {
     forbid(table, {"color", "zenith", "horizon", "ground"}, "cannot be combined with \"image\"");
     const SceneValue image = require(table, "image");
-    if (reading.scene.lights.size() == MAX_LIGHTS) refuse(image, "is a light, and there are 32 already");
+    if (reading.scene.lights.size() == MAX_LIGHTS)
+        refuse(image, "counts as a light, and the scene already has 32, the most allowed");
     sky.image = fileOf(image, reading);
     if (!sky.image.ends_with(".hdr") && !sky.image.ends_with(".exr")) refuse(image, "must end in .hdr or .exr");
     takeNumber(table, "rotation", {-360, 360}, sky.rotation_deg);

@@ -25,7 +25,8 @@ std::string readText(const std::string& path) {
     std::string text(kMaxSceneBytes + 1, '\0');
     text.resize(std::fread(text.data(), 1, text.size(), file.get()));
     if (std::ferror(file.get())) throw Error{ExitCode::kBadInput, path + ": " + std::strerror(errno)};
-    if (text.size() > kMaxSceneBytes) throw Error{ExitCode::kBadInput, path + ": a scene file has at most 1 MiB"};
+    if (text.size() > kMaxSceneBytes)
+        throw Error{ExitCode::kBadInput, path + ": larger than 1 MiB, the limit of scene files"};
     return text;
 }
 

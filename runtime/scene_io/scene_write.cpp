@@ -120,7 +120,8 @@ std::string sceneText(const SceneDescription& scene, const std::string& scene_di
 void writeSceneFile(const std::string& path, const SceneDescription& scene) {
     requireWritable(path);
     const std::string text = sceneText(scene, std::filesystem::path(path).parent_path().string());
-    if (text.size() > kMaxSceneBytes) throw Error{ExitCode::kCannotWrite, path + ": a scene file has at most 1 MiB"};
+    if (text.size() > kMaxSceneBytes)
+        throw Error{ExitCode::kCannotWrite, path + ": would be larger than 1 MiB, the limit of scene files"};
     parseScene(text, path);
     writeFile(path, {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()});
 }

@@ -34,7 +34,7 @@ double numberOf(const SceneValue& value, Range range) {
     const auto* whole = value.node->as_integer();
     const double number = whole ? static_cast<double>(whole->get()) : value.node->as_floating_point()->get();
     if (number >= range.low && number <= range.high) return number;
-    refuse(value, "is " + numberText(number) + ", must be " + rangeText(range.low, range.high));
+    refuse(value, "is " + numberText(number) + ", but must be " + rangeText(range.low, range.high));
 }
 
 std::uint32_t wholeNumberOf(const SceneValue& value, std::uint32_t low, std::uint32_t high) {

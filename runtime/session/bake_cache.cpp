@@ -116,7 +116,7 @@ std::string bakeCached(const FileCache& cache, const ScanBake& bake, const std::
                        const BakeMonitor& monitor) {
     if (cache.folder.empty())
         throw Error{ExitCode::kCannotWrite, bake.scans.front() + ": the cache for baked scans is off or has no folder; "
-                                                                 "bake it with pointrt-bake"};
+                                                                 "bake the scan with pointrt-bake"};
     monitor.progress(0, "checking");
     const std::string key = bakeKey(bake, tool, [&] { return isCancelled(monitor); });
     if (key.empty()) return {};

@@ -150,7 +150,8 @@ OptionGroup cameraOptions() {
               "; above 0 and below 180)",
           [](Options& o, const std::string& text) { o.fov_deg = parseAngle(text); }},
          {"--ortho", "HEIGHT|fit",
-          "Use a parallel projection HEIGHT scene units high; fit shows the whole scene (default: off; not with --fov)",
+          "Use a parallel projection in which the picture is HEIGHT scene units high; fit shows the whole scene "
+          "(default: off; not with --fov)",
           [](Options& o, const std::string& text) { setOrtho(o.camera, text); }},
          {.names = "--panorama",
           .help = "Render a level, equirectangular 360-degree panorama, twice as wide as high, from --eye, else from "
@@ -236,7 +237,7 @@ OptionGroup camerasOptions() {
 OptionGroup lightOptions() {
     return {"Light and surfaces",
             {{"--sun", "TIME[@LAT,LON]",
-              "Light the scene by sun and sky at a local time, e.g. 2026-06-21T15:00, or with its UTC offset "
+              "Light the scene with the sun and sky of a local time, e.g. 2026-06-21T15:00, or with its UTC offset "
               "2026-06-21T15:00-07:00, at a latitude and longitude in degrees (default: those of the scan, if its file "
               "names a coordinate system)",
               [](Options& o, const std::string& text) { o.sun = parseSun(text); }}},
@@ -259,8 +260,9 @@ OptionGroup runOptions() {
     return {
         "Run",
         {{"--device", "list|N|NAME",
-          "Vulkan device to use, by number or part of its name; list prints all devices (default: a discrete GPU "
-          "before an integrated one, a processor last)",
+          "Vulkan device to use, by number or part of its name; list prints all devices (default: a discrete GPU, else "
+          "an "
+          "integrated one, else a CPU driver)",
           setDevice},
          {"--rays", "walk|hardware|auto",
           "How rays find splats: walk through pointrt's tracing index, or hardware ray queries; auto uses hardware on "
@@ -287,7 +289,8 @@ OptionGroup runOptions() {
          {"--bake", "OPTION...",
           "Pass all arguments after this one to pointrt-bake, which bakes the scans (see pointrt-bake --help)",
           [](Options&, const std::string&) {
-              throw std::invalid_argument("options of pointrt-bake follow as further arguments");
+              throw std::invalid_argument(
+                  "write the options of pointrt-bake after it as separate arguments, without =");
           }},
          {.names = "-q,--quiet",
           .help = "Print only errors, and progress with --progress lines (default: off)",

@@ -280,8 +280,8 @@ void requireInputs(const Options& options) {
     const auto scene = std::find_if(options.inputs.begin(), options.inputs.end(), isScene);
     if (scene == options.inputs.end()) return requireBakeOptions(options);
     if (options.inputs.size() > 1 && !areBakedScans(options.inputs))
-        throw Error{ExitCode::kBadUsage, *scene + ": a scene file or a baked scan cannot be opened with files of other "
-                                                  "kinds; bake scans, or name them in a "
+        throw Error{ExitCode::kBadUsage, *scene + ": a scene file or a baked scan cannot be opened together with "
+                                                  "files of other kinds; bake the scans first, or list them in a "
                                                   "scene file (docs/SCENES.md)"};
     if (!options.bake_options.empty()) throw Error{ExitCode::kBadUsage, "--bake: " + *scene + " is baked already"};
 }
@@ -341,7 +341,7 @@ int takeBakeOptions(int argc, const char* const* argv, Options& options) {
     const char* const* const end = argv + argc;
     const char* const* const bake =
         std::find_if(argv, end, [](std::string_view argument) { return argument == "--bake"; });
-    if (bake + 1 == end) throw Error{ExitCode::kBadUsage, "--bake: needs options of pointrt-bake after it"};
+    if (bake + 1 == end) throw Error{ExitCode::kBadUsage, "--bake: must be followed by options of pointrt-bake"};
     if (bake != end) options.bake_options.assign(bake + 1, end);
     return static_cast<int>(bake - argv);
 }

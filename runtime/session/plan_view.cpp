@@ -45,7 +45,7 @@ PlanScene planScene(const SceneDescription& description) {
     PlanScene scene;
     for (const InstanceDescription& each : description.instances)
         if (each.visible) addScan(frameOfScan(each.path), each.placement, scene);
-    if (!scene.bounds) refusePlan(description.path + " shows no scan");
+    if (!scene.bounds) refusePlan(description.path + " has no visible scan");
     return scene;
 }
 
@@ -57,7 +57,7 @@ struct MapAxes {
 MapAxes mapAxes(Vec3 up) {
     constexpr double kLevel = 0.999; // cos(2.6 degrees): so the grid's plane is the ground
     const std::optional<Vec3> axis = nearestAxis(up);
-    if (!axis || dot(up, *axis) < kLevel) refusePlan("no axis is up");
+    if (!axis || dot(up, *axis) < kLevel) refusePlan("up is not along a coordinate axis of the scan, as a plan needs");
     const Vec3 east = axis->x != 0 ? Vec3{0, 1, 0} : Vec3{1, 0, 0};
     return {east, cross(*axis, east), *axis};
 }

@@ -88,12 +88,12 @@ std::vector<std::string> sceneNotes(const LoadedScene& loaded, bool up_is_given)
         notes.push_back("the scan has no colours: it is coloured by " + loaded.settings.color_by +
                         " (--color-by rgb turns that off)");
     if (cutsInstances(loaded.scene.description) && loaded.kept_sample.splats.empty())
-        notes.push_back("the clips leave nothing of the scans");
-    if (hidesAllSplats(loaded.scene.paint)) notes.push_back("the filters leave nothing of the scans");
+        notes.push_back("the clips hide the scans completely");
+    if (hidesAllSplats(loaded.scene.paint)) notes.push_back("the filters hide every point");
     const RenderSettings& settings = loaded.settings;
     const bool shows_caustics = settings.caustics && usesLights(settings.integrator) && castsCaustics(loaded.scene);
     if (settings.relight && shows_caustics && hasGaussians(loaded.scene))
-        notes.push_back("lit Gaussians show no caustics: these pass through them to the surfaces behind");
+        notes.push_back("relit Gaussians receive no caustics: the light passes through them to the surfaces behind");
     const double height = loaded.camera.ortho_height;
     if (loaded.section_camera && height > 0)
         notes.push_back("the picture of the section is " + plainText(height) + " units high, " +

@@ -12,8 +12,8 @@ namespace {
 double numberIn(const NumberTable& table, std::size_t row, std::size_t column, LidarLimit limit) {
     const double number = table.at(row, column);
     if (number < limit.low || number > limit.high)
-        table.refuse(row, table.names[column] + " is " + plainText(number) + ", must be from " + plainText(limit.low) +
-                              " to " + plainText(limit.high));
+        table.refuse(row, table.names[column] + " is " + plainText(number) + ", but must be from " +
+                              plainText(limit.low) + " to " + plainText(limit.high));
     return number;
 }
 

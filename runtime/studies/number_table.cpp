@@ -56,7 +56,7 @@ std::size_t NumberTable::require(std::string_view name, const std::string& owner
     std::string columns;
     for (const std::string& each : names) columns += (columns.empty() ? "" : ", ") + printable(each);
     throw Error(ExitCode::kBadInput,
-                path + ": " + owner + " needs the column \"" + std::string(name) + "\"; there are " + columns);
+                path + ": " + owner + " needs the column \"" + std::string(name) + "\"; the columns are " + columns);
 }
 
 void NumberTable::refuse(std::size_t row, const std::string& reason) const { refuseLine(path, lines[row], reason); }
@@ -76,7 +76,7 @@ NumberTable readNumberTable(const std::string& path) {
         else
             takeRow(words, line, table);
     }
-    if (table.lines.empty()) throw Error(ExitCode::kBadInput, path + ": no row of numbers");
+    if (table.lines.empty()) throw Error(ExitCode::kBadInput, path + ": has no rows of numbers");
     return table;
 }
 

@@ -22,7 +22,8 @@ SectionRequest requestOf(const std::string& text) {
 
 SectionPlane sectionPlane(const std::string& text, const Position& up) {
     const SectionRequest request = requestOf(text);
-    if (request.thickness) refuseUsage(text + ": a section of lines has no thickness");
+    if (request.thickness)
+        refuseUsage(text + ": section lines cannot have a thickness (omit the part after the colon)");
     const Section section = makeSection(request, planFrame({}, up).up);
     // a tilted up is not in the plane, so it is projected to it
     const Vec3 upwards = section.up - dot(section.up, section.side) * section.side;

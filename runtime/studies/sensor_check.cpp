@@ -13,13 +13,13 @@ namespace {
 
 void requireIn(double value, LidarLimit limit, const std::string& name) {
     if (value >= limit.low && value <= limit.high) return;
-    refuseUsage(name + " is " + plainText(value) + ", must be from " + plainText(limit.low) + " to " +
+    refuseUsage(name + " is " + plainText(value) + ", but must be from " + plainText(limit.low) + " to " +
                 plainText(limit.high));
 }
 
 void requireCount(std::size_t value, std::size_t low, std::size_t high, const std::string& name) {
     if (value >= low && value <= high) return;
-    refuseUsage(name + " is " + std::to_string(value) + ", must be from " + std::to_string(low) + " to " +
+    refuseUsage(name + " is " + std::to_string(value) + ", but must be from " + std::to_string(low) + " to " +
                 std::to_string(high));
 }
 

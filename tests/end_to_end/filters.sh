@@ -46,7 +46,7 @@ case_pictures_lack_what_is_hidden() {
         pointrt-view -q $scene --integrator normal --size 96x64 --up z --only class=2 -o lower.png
         ! cmp -s whole.png lower.png || fail "$scene: nothing is hidden"
         expectDone pointrt-view $scene --integrator normal --size 96x64 --up z --only class=9 -o none.png
-        grep -q "the filters leave nothing" stderr || fail "$scene: nothing is said"
+        grep -q "the filters hide every point" stderr || fail "$scene: nothing is said"
     done
 }
 

@@ -284,7 +284,7 @@ case_sections_are_clips_seen_in_true_scale() {
         expectDone pointrt-view -q ball.pro --clip=-2,-2,-2,2,2,0.3 --view top --ortho fit $look -o out/box.png
         expectDone pointrt-view ball.pro --clip=5,5,5,6,6,6 $look -o out/nothing.png
     }
-    grep -q 'clips leave nothing' stderr || fail "the viewer does not say that nothing is left"
+    grep -q 'clips hide the scans' stderr || fail "the viewer does not say that nothing is left"
     cmp out/plan.png out/top.png || fail "the plan is not the clipped scan from above"
     cmp out/plan.png out/box.png || fail "the box does not cut as the plane"
     ! cmp -s out/plan.png out/whole.png || fail "the section cuts nothing"

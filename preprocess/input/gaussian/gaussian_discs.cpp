@@ -57,7 +57,9 @@ void noteLosses(const InputFile& input, const GaussianFile& file, const LeftOut&
     std::string left;
     if (left_out.faint > 0)
         left = fmt::format("{} of {} with an opacity below {}", left_out.faint, file.count, kLeastOpacity);
-    if (left_out.huge > 0) left += fmt::format("{}{} as large as the sky", left.empty() ? "" : " and ", left_out.huge);
+    if (left_out.huge > 0)
+        left += fmt::format("{}{} with a radius above a quarter of the scene's size", left.empty() ? "" : " and ",
+                            left_out.huge);
     if (!left.empty()) text += "; left out: " + left;
     sink.note(input, text);
 }
@@ -111,9 +113,10 @@ void readAsDiscs(const InputFile& input, const GaussianFile& file, const EachGau
         sink.addVertex(row, reinterpret_cast<const char*>(&gaussian.opacity));
     });
     if (left_out.huge > 0 && left_out.faint + left_out.huge == file.count)
-        refuse(input, fmt::format("none of its {} Gaussian splats makes a disc: {} are as large as the sky, and the "
-                                  "others have an opacity below {}",
-                                  file.count, left_out.huge, kLeastOpacity));
+        refuse(input,
+               fmt::format("none of its {} Gaussian splats makes a disc: {} have a radius above a quarter of the "
+                           "scene's size, and the others have an opacity below {}",
+                           file.count, left_out.huge, kLeastOpacity));
     if (file.count > 0 && left_out.faint == file.count)
         refuse(input,
                fmt::format("none of its {} Gaussian splats has an opacity of {} or more", file.count, kLeastOpacity));

@@ -54,7 +54,7 @@ void noteUnread(const GltfFile& file, const SortedParts& parts, Sink& sink) {
 void dropSurfaces(const GltfFile& file, SortedParts& parts, Sink& sink) {
     if (parts.gaussians.empty() || sink.gaussians_as_discs || parts.points.size() + parts.meshes.size() == 0) return;
     sink.note(file.input(),
-              fmt::format("has {} primitives of points or triangles besides its Gaussians, which are left out",
+              fmt::format("has Gaussians and {} primitives of points or triangles; the primitives are left out",
                           parts.points.size() + parts.meshes.size()));
     parts.points.clear();
     parts.meshes.clear();

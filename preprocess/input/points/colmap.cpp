@@ -120,7 +120,7 @@ ColmapImages imagesBeside(const InputFile& input, Sink& sink) {
     for (const char* const name : {is_text ? "images.txt" : "images.bin", is_text ? "images.bin" : "images.txt"})
         if (fs::is_regular_file(folder / name, failure))
             return readColmapImages(openInputFile((folder / name).string(), NamedBy::kFile));
-    sink.note(input, "has no images.bin or images.txt beside it: where its cameras stood is unknown");
+    sink.note(input, "has no images.bin or images.txt beside it: the positions of its cameras are unknown");
     return {};
 }
 

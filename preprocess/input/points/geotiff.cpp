@@ -66,7 +66,7 @@ void placePixels(const InputFile& input, const TiffFile& tiff, HeightImage& imag
         return;
     }
     if (!image.place.matrix().allFinite() || image.place.linear().determinant() == 0)
-        refuse(input, "its pixels have no valid place: ModelPixelScale, ModelTiepoint or ModelTransformation");
+        refuse(input, "has invalid georeferencing (ModelPixelScale, ModelTiepoint or ModelTransformation)");
     if (!arePoints(tiff.shorts(kGeoKeyDirectory))) image.place.translate(Eigen::Vector2d(0.5, 0.5));
     image.is_placed = true;
 }
@@ -181,7 +181,7 @@ bool isTiff(std::string_view bytes) {
 void readGeoTiff(const InputFile& input, Sink& sink) {
     const TiffFile tiff(input);
     const HeightImage image = readImageHeader(input, tiff);
-    if (!image.is_placed) sink.note(input, "has no coordinates: its cells are 1 unit apart");
+    if (!image.is_placed) sink.note(input, "is not georeferenced: its cells are taken to be 1 unit apart");
     if (image.samples > 1) sink.note(input, fmt::format("has {} bands: the first is read as heights", image.samples));
     const std::uint64_t cells = std::uint64_t{image.columns} * image.rows;
     ScanTraits traits;

@@ -194,10 +194,9 @@ void readLas(const InputFile& input, Sink& sink) {
     sink.finishScan(input);
 
     if (isBeyondHeader(file, sink))
-        sink.note(
-            input,
-            "has points far outside the bounds in its header, and another size than it states: a transfer in text "
-            "mode damages files this way");
+        sink.note(input,
+                  "has points far outside the bounds in its header, and its size is not what the header states: it may "
+                  "have been damaged by a transfer in text mode");
     const LasCrs crs = lasCrs(file);
     setLasFrame(crs, input, sink);
     const bool will_be_scaled =

@@ -159,7 +159,7 @@ std::string takeLead(const InputFile& input, bool salvages, Layout& layout, Attr
     const bool north_first = layout.columns == 3 && layout.described && isNorthFirst(statistics);
     layout.north_first = north_first;
     return fmt::format("has no header: column {} looks like the {} of the point, columns {} to {} are read as {}; a "
-                       "header line such as 'number,x,y,z' or 'P,N,E,Z,D' defines them",
+                       "header line such as 'number,x,y,z' or 'P,N,E,Z,D' names them",
                        column + 1, lead == Lead::kTime ? "time" : "number", column + 2, column + 4,
                        north_first ? "north, east and height" : "x, y and z");
 }

@@ -154,7 +154,7 @@ std::optional<ColorPlace> findColors(const ColumnStatistics& statistics, std::si
     return before ? before : colorsOfRun(statistics, *normals + 3, extras, others);
 }
 
-constexpr std::string_view kAdvice = "a header line such as '//X Y Z R G B I' defines";
+constexpr std::string_view kAdvice = "add a header line such as '//X Y Z R G B I' to name";
 
 /// has_label: one column is read as a label; unread: number of columns that are not read
 std::string doubtOf(const std::optional<ColorPlace>& colors, bool normals, bool has_label, std::size_t unread,

@@ -30,7 +30,8 @@ void translateErrors(nb::module_& module) {
 NB_MODULE(_core, module) {
     module.doc() = "The native part of the package pointrt.";
     module.attr("Error") = nb::steal(PyErr_NewExceptionWithDoc(
-        "pointrt.Error", "A file cannot be read, or this machine cannot do it. The message is one line.",
+        "pointrt.Error",
+        "A file cannot be read, or the operation is not supported on this machine. The message is one line.",
         PyExc_RuntimeError, nullptr));
     translateErrors(module);
     pointrt::python::bindScene(module);

@@ -31,7 +31,7 @@ def bake(points: ArrayLike | str | os.PathLike[str], normals: ArrayLike | None =
 
     Raises:
         pointrt.Error: pointrt-bake is not installed, or failed; the message is its error line.
-        ValueError: arrays of another shape.
+        ValueError: an array has the wrong shape.
     """
     tool = os.environ.get("POINTRT_BAKE") or shutil.which("pointrt-bake")
     if tool is None:

@@ -32,7 +32,7 @@ class Camera:
             fov_deg: vertical field of view in degrees, from 0.001 to below 180 (default 40).
 
         Raises:
-            ValueError: an array has another shape.
+            ValueError: an array has the wrong shape.
         """
         return cls("render_look_at", (_vector("eye", eye), _vector("target", target), _vector("up", up),
                                       None if fov_deg is None else float(fov_deg)))
@@ -51,7 +51,7 @@ class Camera:
                 or ``"opengl"``, x right, y up, z backward (nerfstudio, Blender).
 
         Raises:
-            ValueError: an array has another shape, or the convention is unknown. ``Scene.render`` validates rotation
+            ValueError: an array has the wrong shape, or the convention is unknown. ``Scene.render`` validates rotation
                 and focal lengths.
         """
         pose = np.array(world_from_camera, dtype=np.float64)

@@ -72,7 +72,7 @@ class Measures(Studies):
         """The surface point closest to each point, float64 ``[N, 3]``; NaN if no surface is found.
 
         Args:
-            along: a direction such as up: take the surface that is seen against it instead, from above.
+            along: a direction such as up: move points along it instead, to the first surface seen from above.
         """
         return _core.snap_to_surface(self._scene, _rows(points, "points"), None if along is None else _unit(along))
 
@@ -102,12 +102,12 @@ class Measures(Studies):
 
         Args:
             line: corners, ``[N, 3]``; heights are ignored.
-            step: between stations (default: a thousandth of the line).
-            from_below: rays go up.
+            step: distance between stations (default: a thousandth of the line).
+            from_below: cast rays upwards instead of downwards.
             start_height: where rays start (default: outside of the scene).
             all_surfaces: all surfaces on the rays, not only the first.
-            apart: surfaces closer than this behind each other are one (default: two median radii).
-            width: of a band: the median of rays across it.
+            apart: count surfaces on a ray closer together than this as one (default: twice the median radius).
+            width: width of a band; heights are then medians across it (default: one ray per station).
 
         Returns:
             Arrays: ``stations`` (distance along the line in plan), ``positions`` ``[N, 3]``, ``heights``, ``lows`` and
@@ -127,7 +127,7 @@ class Measures(Studies):
         """Lines of equal height of the surface seen from above, by a raster of vertical rays.
 
         Args:
-            interval: between heights (default: a round number that gives 10 to 25 of them).
+            interval: height difference between lines (default: a round number that gives 10 to 25 heights).
             cell: side of the raster's cells (default: a thousandth of the scene's longer side).
             shortest: length of the shortest line to keep.
 
@@ -184,7 +184,7 @@ class Measures(Studies):
             float64 ``[N]``; NaN where there is no surface.
 
         Raises:
-            ValueError: an array has another shape, or ``max_distance`` is not above 0.
+            ValueError: an array has the wrong shape, or ``max_distance`` is not above 0.
         """
         most = 20 * self._median_radius() if max_distance is None else max_distance
         if isinstance(points, Measures):

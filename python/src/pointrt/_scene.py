@@ -57,11 +57,12 @@ class Scene(Measures):
         clip: a box ``[6]``, minimum x y z and maximum x y z, or several ``[N, 6]``, in the coordinates of the scene.
             Rays and pictures show only what is inside all of them, and inside the clips of a scene file; shapes and
             lights stay whole (default: everything). At most five boxes.
-        only: what rays and pictures show of scans by an attribute, such as ``"class=2,6"`` or ``"height=10:25"`` (from
-            and to), or several, which must all hold (default: everything). Scans without the attribute stay whole.
+        only: a filter by attribute, such as ``"class=2,6"`` or the range ``"height=10:25"``, or several: rays and
+            pictures show only points that match all of them (default: everything). Scans without the attribute stay
+            whole.
 
     Raises:
-        pointrt.Error: a file cannot be read or has another format, or there is no device.
+        pointrt.Error: a file cannot be read or has the wrong format, or there is no device.
         ValueError: no paths are given, a tile needs more than ``memory``, or a box or filter is invalid.
     """
 
@@ -132,9 +133,9 @@ class Scene(Measures):
             outside tile sets and misses. Attributes with the types of the scan, 0 or NaN for a miss.
 
         Raises:
-            ValueError: rays have another shape; a ray is not finite or has no direction (the message gives its index);
-                limits are invalid; a field or attribute is unknown.
-            TypeError: rays have another type.
+            ValueError: rays have the wrong shape; a ray is not finite or has no direction (the message gives its
+                index); limits are invalid; a field or attribute is unknown.
+            TypeError: rays are neither float32 nor float64.
         """
         rows, shape = _rows_of(rays)
         if fields is None:
@@ -213,7 +214,7 @@ class Scene(Measures):
 
     def render(self, camera: Camera | None = None, width: int = 512, height: int = 512, *,
                layers: Sequence[str] = ("rgba",), **settings: Any) -> Picture:
-        """Renders a picture, equal to the bit to the OpenEXR file of ``pointrt-view``.
+        """Renders a picture, bit-identical to the OpenEXR file of ``pointrt-view``.
 
         The first picture, and the first with other settings, uploads the scene once more with lights, materials and
         programs. Further pictures with the same settings start at once.
@@ -222,8 +223,8 @@ class Scene(Measures):
             camera: from ``Camera.look_at`` or ``Camera.from_intrinsics`` (default: a view of the whole scene).
             width, height: pixels, 1 to 16384 each.
             layers: names from ``pointrt.LAYERS``, or those of OpenEXR (``"Z"``, ``"id.splat"``).
-            settings: options that ``pointrt-view --help`` lists under Image and Light, with ``_`` for ``-``:
-                ``integrator`` ("phong", "whitted", "path", "normal", "depth", "ambient"), ``spp``, ``seed``, ``bounces``,
+            settings: options that ``pointrt-view --help`` lists under "Image" and "Light and surfaces", with ``_`` for
+                ``-``: ``integrator`` ("phong", "whitted", "path", "normal", "depth", "ambient"), ``spp``, ``seed``, ``bounces``,
                 ``lights``, ``room``, ``shadows``, ``color_by`` and others; ``up``; ``memory``, the limit for tiles
                 (default: the scene's); ``staged_for``, the eye that default lights are placed for (default: that of
                 the default camera); ``sun``, as ``--sun``. Other lights come from scene files.
@@ -254,8 +255,8 @@ class Scene(Measures):
 
         Args:
             section: as for ``pointrt-view --section``: ``"z=1.2"`` is a plan of what is below that height, ``"y=3"`` and
-                ``"x=3"`` are upright sections, ``"x0,y0,x1,y1"`` one from a point of the plan to another; with
-                ``":0.5"`` at the end a slice so thick.
+                ``"x=3"`` are upright sections, ``"x0,y0,x1,y1"`` is one through two points of the plan;
+                ``":0.5"`` at the end keeps a slice of that thickness.
             width, height, layers, settings: as for ``render``. The setting ``ortho`` is the picture's height in the
                 units of the scan (default: everything that remains fits).
 

@@ -98,15 +98,15 @@ class Studies:
             radii: of the points' discs, ``[...]`` or one number, in the scan's unit: hits on parallel discs within 3
                 radii above the point's disc are self-intersections (default: the median radius of the scene).
             sides: that receive light: ``"front"``, ``"both"``, or ``"auto"``: front if the scans' normals are oriented.
-            utc_offset: hours; days begin at midnight of this offset (default: by longitude, 15 degrees an hour).
-            up, north: directions in the scan's coordinates, 3 numbers (default: up of the file, else +Z; true north by
+            utc_offset: hours; days begin at midnight of this offset (default: from the longitude, 15 degrees per hour).
+            up, north: directions in the scan's coordinates, 3 numbers (default: up of the file, else +Z; true north from
                 the coordinate system of the file, which needs PROJ, else +Y, or -Z if Y is up).
 
         Returns:
             float64 with the shape of the points; ``[len(scene)]`` for those of the scene.
 
         Raises:
-            ValueError: an array has another shape, or a place, date or number is invalid.
+            ValueError: an array has the wrong shape, or a place, date or number is invalid.
             pointrt.Error: a point is not finite, or PROJ is needed and not installed.
         """
         frame = _core.study_frame(self._paths[0], *_place(at), _vector(up, "up"), _vector(north, "north"))
@@ -142,14 +142,14 @@ class Studies:
 
         Args:
             observers: ``[..., 3]`` in the scan's coordinates.
-            height: of observers above their positions.
+            height: height of the observers above their positions.
             radius: maximum viewing distance.
 
         Other arguments and errors are those of ``sun_hours``.
 
         Returns:
-            bool, the observers' shape and behind it the points': ``[N]`` for one observer ``[3]``, ``[M, N]`` for
-            ``[M, 3]``; ``.sum(axis=0)`` is how many see each point.
+            bool, with the observers' shape followed by the points' shape: ``[N]`` for one observer ``[3]``, ``[M, N]``
+            for ``[M, 3]``; ``.sum(axis=0)`` is how many see each point.
         """
         eyes = _array(observers, "observers", np.float64)
         vector = _vector(up, "up") or _core.scan_up(self._paths[0])

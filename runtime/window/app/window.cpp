@@ -99,7 +99,7 @@ Window::Window(const Options& options, std::optional<ReopenedWindow> reopened)
     if (!session_.isReplaying()) readPreferences(userStateFolder(), work_); // replays look the same everywhere
     if (reopened) {
         const char* const end =
-            reopened->lacks_pictures ? "; pictures that were not saved yet must be saved again" : "";
+            reopened->lacks_pictures ? "; pictures that were still being saved must be saved again" : "";
         notify(std::string("the graphics device was lost and has been opened again") + end, true);
         kept_view_ = reopened->view;
     }

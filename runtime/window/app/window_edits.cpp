@@ -152,7 +152,7 @@ void Window::autosave() {
     if (session_.now() - autosaved_s_ < kAutosaveEvery_s) return;
     autosaved_s_ = session_.now();
     autosaved_revision_ = editor_.revision();
-    tryOrNotify("the edits cannot be kept for a restart: ", [&] {
+    tryOrNotify("the edits cannot be saved for recovery after a crash: ", [&] {
         if (editor_.isModified())
             autosave_->write(sceneAsShown(work_, {host_.pixels().width, host_.pixels().height}));
         else
@@ -196,7 +196,7 @@ void Window::saveOutline(std::size_t clip) {
             std::make_unique<OutlineJob>(work_.scene, *option, name, options_.device),
             [this, name](OutlineJob&) { notify("saved " + name + ".dxf and " + name + ".svg", false); });
     });
-    if (!starts) notify("wait until the other study is done", true);
+    if (!starts) notify("wait until the other outline or comparison is finished", true);
 }
 
 void Window::compareScans(const Comparison& comparison) {
@@ -208,7 +208,7 @@ void Window::compareScans(const Comparison& comparison) {
                                           if (is_same) showComparison(job.output(), comparison);
                                       });
     });
-    if (!starts) notify("wait until the other study is done", true);
+    if (!starts) notify("wait until the other outline or comparison is finished", true);
 }
 
 /// Opens the scene again with the copy of the scan that has distances, coloured by distance. Hides the reference, which
@@ -223,7 +223,7 @@ void Window::showComparison(const std::string& with_distances, const Comparison&
     shown.render.color_map.reset();
     shown.render.color_range.reset();
     if (!autosave_ || autosave_->path().empty())
-        return notify("the edits cannot be kept while scans are compared", true);
+        return notify("cannot show the comparison: there is no folder in which to keep the edits", true);
     autosave_->write(shown);
     kept_view_ = KeptView{work_.scene.path, work_.camera, view_.home};
     opener_.open({autosave_->path(), work_.scene.path, true});

@@ -30,7 +30,8 @@ void applySettings(LoadedScene& loaded, const RenderSettings& settings) {
 void uploadScene(Device& device, LoadedScene& loaded, const SceneDescription& description,
                  const RenderSettings& settings) {
     if (!haveSameFiles(loaded.scene.description, description))
-        throw Error{ExitCode::kBadInput, description.path + ": other scans than those that are open; reload the scene"};
+        throw Error{ExitCode::kBadInput,
+                    description.path + ": its scans differ from those that are open; reload the scene"};
     const bool moves = !haveSamePlacements(loaded.scene.description, description);
     SceneDescription old = loaded.scene.description;
     const auto take = [&](const SceneDescription& taken) {

@@ -57,7 +57,7 @@ void takeTyped(Workspace& w, const std::string& path) {
 
 void drawFolder(Workspace& w, FileBrowser& browser) {
     if (ImGui::Button("Up")) w.requests.browse = std::filesystem::path(browser.folder).parent_path().string();
-    tooltip("to the folder that contains this one");
+    tooltip("go to the parent folder");
     ImGui::SameLine();
     ImGui::SetNextItemWidth(-1);
     if (ImGui::InputText("##folder", &browser.folder, ImGuiInputTextFlags_EnterReturnsTrue))

@@ -38,7 +38,7 @@ void drawClipList(Workspace& w) {
         if (name.empty()) name = (isBox(clip) ? "Box " : "Plane ") + std::to_string(c + 1);
         ImGui::PushID(static_cast<int>(c));
         reportSceneEdit(w, ImGui::Checkbox("##enabled", &clip.enabled));
-        tooltip("whether it cuts");
+        tooltip("turn this clip on or off");
         ImGui::SameLine();
         if (ImGui::Selectable(name.c_str(), static_cast<int>(c) == selectedClip(w))) selectLayer({LayerKind::kClip, c});
         ImGui::PopID();

@@ -54,7 +54,8 @@ void drawRange(Workspace& w) {
         w, dragRow("To", range.high, {-kLargest, kLargest}, step, "%.6g", "value with the map's last colour"));
     if (changed && range.low < range.high) w.settings.color_range = range;
     ImGui::BeginDisabled(!w.settings.color_range);
-    if (columnButton("Reset range", 1, false, "all values but the lowest and highest percent")) {
+    if (columnButton("Reset range", 1, false,
+                     "back to the automatic range: 1st to 99th percentile, or all small integers")) {
         w.settings.color_range.reset();
         w.requests.settings_changed = true;
     }

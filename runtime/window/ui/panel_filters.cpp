@@ -30,7 +30,7 @@ std::vector<std::string> filterWords(const Workspace& w) {
 
 void drawFilterChoice(Workspace& w) {
     const std::vector<std::string> words = filterWords(w);
-    if (words.empty()) return dimText("What is open has no attributes to filter by.");
+    if (words.empty()) return dimText("The open scans have no attributes to filter by.");
     std::vector<const char*> names;
     for (const std::string& word : words) names.push_back(word.c_str());
     int chosen = -1;
@@ -105,7 +105,7 @@ void drawRangeEnds(Workspace& w, SplatSelection& selection, const NumberHistogra
 
 void drawFilter(Workspace& w, FilterDescription& filter) {
     SplatSelection& selection = filter.shown;
-    reportSceneEdit(w, checkboxRow(selection.attribute.c_str(), filter.enabled, "whether it hides points"));
+    reportSceneEdit(w, checkboxRow(selection.attribute.c_str(), filter.enabled, "turn this filter on or off"));
     const auto found = w.histograms.find(selection.attribute);
     if (found == w.histograms.end()) return;
     const NumberHistogram& histogram = found->second;

@@ -97,7 +97,7 @@ void drawNotice(const Notice& notice, float opacity) {
 void drawRecentFiles(Workspace& w, FreeArea area, float top) {
     const float width = std::min(kJobWidth * uiScale(), area.width);
     boxOnPicture("Recent files", {ImVec2(area.width / 2, top), ImVec2(0.5f, 0)}, width, ImGuiWindowFlags_NoMove, [&] {
-        dimText("Opened lately");
+        dimText("Recent files");
         for (std::size_t n = 0; n < w.recent_files.size(); ++n) {
             ImGui::PushID(static_cast<int>(n));
             if (ImGui::Selectable(printable(w.recent_files[n], std::string::npos).c_str())) w.requests.open_recent = n;

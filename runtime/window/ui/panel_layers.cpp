@@ -52,7 +52,7 @@ void drawLayerRow(Workspace& w, LayerId id) {
     ImGui::PushID(static_cast<int>(id.number));
     bool visible = isLayerVisible(w.scene, id);
     if (reportLayerEdit(w, id, ImGui::Checkbox("##visible", &visible))) setLayerVisible(w.scene, id, visible);
-    tooltip(id.kind == LayerKind::kClip ? "whether it cuts" : "show or hide");
+    tooltip(id.kind == LayerKind::kClip ? "turn this clip on or off" : "show or hide");
     ImGui::SameLine();
     const std::string name = layerName(w.scene, id) + (layerAt(w.scene, id).locked ? "  (locked)" : "");
     if (ImGui::Selectable((name + "##name").c_str(), id == selectedLayer())) selectLayer(id);
@@ -234,8 +234,9 @@ void drawSelected(Workspace& w, LayerId id) {
         ImGui::BeginDisabled(layer.locked);
         drawPlacement(w, w.scene.instances[id.number], w.scan_centres[id.number]);
         if (w.settings.color_by != kOwnColors)
-            reportSceneEdit(w, checkboxRow("Coloured", w.scene.instances[id.number].colored,
-                                           "off: keeps its own colours where the Colours section colours the others"));
+            reportSceneEdit(
+                w, checkboxRow("Coloured", w.scene.instances[id.number].colored,
+                               "off: this scan keeps its own colours when the Colours section colours the others"));
         drawComparison(w, id.number);
         drawSplatKind(w);
         ImGui::EndDisabled();

@@ -24,11 +24,12 @@ void drawStills(Workspace& w) {
     constexpr SliderRange kPixels{1, kMaxPixelSide, true};
     sliderRow("Width", w.still_size.width, kPixels, "pixels; Ctrl + click to type");
     sliderRow("Height", w.still_size.height, kPixels, "pixels; Ctrl + click to type");
-    if (columnButton("Add to the queue", 2, false, "renders this view in the background, with the samples of Render"))
+    if (columnButton("Add to the queue", 2, false,
+                     "renders this view in the background, with the number of samples set under Render"))
         w.requests.add_still = true;
     if (w.stills.empty()) return;
     ImGui::SameLine();
-    if (columnButton("Clear", 2, false, "forgets the stills that wait")) w.stills.clear();
+    if (columnButton("Clear", 2, false, "removes the waiting stills from the queue")) w.stills.clear();
     dimText((std::to_string(w.stills.size()) + " waiting").c_str());
 }
 
@@ -59,7 +60,7 @@ void drawOutput(Workspace& w) {
 
 void drawAbout(Workspace& w) {
     checkboxRow("Light theme", w.light_theme,
-                "light colours for the panel; kept for the next start, as open sections are");
+                "light colours for the panel; remembered for the next start, like the open sections");
     checkboxRow("Statistics", w.show_hud, "device, samples and speed in the upper left corner");
     if (columnButton("All controls", 1, w.show_cheat_sheet, "H")) w.show_cheat_sheet = !w.show_cheat_sheet;
     if (!w.hud.device.empty()) dimText(w.hud.device.c_str());

@@ -77,7 +77,7 @@ int movedChoice(int count) {
 }
 
 void drawFound(Workspace& w, const std::vector<const Control*>& found, int chosen) {
-    if (found.empty()) return dimText("No command has these words.");
+    if (found.empty()) return dimText("No matching command.");
     if (!ImGui::BeginTable("commands", 2)) return;
     ImGui::TableSetupColumn("does", ImGuiTableColumnFlags_WidthStretch);
     ImGui::TableSetupColumn("keys", ImGuiTableColumnFlags_WidthFixed, kKeysWidth * uiScale());
@@ -99,8 +99,8 @@ void drawPalette(Workspace& w, FreeArea area) {
     if (ImGui::Begin("Commands", nullptr, flags & ~ImGuiWindowFlags_NoScrollbar)) {
         if (ImGui::IsWindowAppearing()) ImGui::SetKeyboardFocusHere();
         ImGui::SetNextItemWidth(-1);
-        const bool entered = ImGui::InputTextWithHint("##query", "what to do: words of a command", &query(),
-                                                      ImGuiInputTextFlags_EnterReturnsTrue);
+        const bool entered =
+            ImGui::InputTextWithHint("##query", "search commands", &query(), ImGuiInputTextFlags_EnterReturnsTrue);
         const std::vector<const Control*> found = foundControls(query());
         const int chosen = movedChoice(static_cast<int>(found.size()));
         if (entered && !found.empty()) run(w, *found[static_cast<std::size_t>(chosen)]);

@@ -37,7 +37,7 @@ void drawRender(Workspace& w) {
     note(checkboxRow("Blend", settings.blend, "blend splats into a smooth surface; off: flat discs"));
     constexpr RealRange kSizes = rowOf<&RenderSettings::splat_size>().limits;
     note(sliderRow("Splat size", settings.splat_size, {double{kSizes.low}, double{kSizes.high}}, "%.2f",
-                   "share of their radii that splats are drawn with; small ones show single points"));
+                   "scales the radii of splats; small values show single points"));
     reportEdit(w.requests, Edit::kLook,
                sliderRow("Samples", w.target_samples, sliderRange(rowOf<&RenderSettings::spp>().limits, true),
                          "per pixel, when the picture is finished"));

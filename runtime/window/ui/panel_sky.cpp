@@ -39,7 +39,7 @@ void drawSky(Workspace& w) {
     }
     note(sliderRow("Strength", sky.strength, kStrengths, "%.3f", "multiplies the sky's light"));
     note(sliderRow("Ambient", sky.ambient, {0, 1}, "%.2f",
-                   "share of the sky's light in shadows; full light computes it instead"));
+                   "share of the sky's light that reaches shadows; not used with full light, which computes it"));
     if (changed) w.scene.sky = sky;
 }
 

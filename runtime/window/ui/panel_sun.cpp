@@ -61,7 +61,7 @@ void zoneText(const SunDate& date) {
     constexpr float kDegreesAnHour = 15, kDay = 24;
     const float zone = std::round(date.longitude_deg / kDegreesAnHour);
     const float local = std::fmod(date.hour + zone + kDay, kDay);
-    ImGui::TextDisabled("%02d:%02d at UTC%+d, by the longitude", static_cast<int>(local),
+    ImGui::TextDisabled("%02d:%02d at UTC%+d, from the longitude", static_cast<int>(local),
                         static_cast<int>(60 * (local - std::floor(local))), static_cast<int>(zone));
 }
 
@@ -107,7 +107,7 @@ void drawSunByDate(Workspace& w, Vec3& towards) {
     zoneText(date);
     if (w.earth_place) {
         position.azimuth_deg -= w.earth_place->convergence_deg; // the map's north differs from true north
-        dimText("Place: the scan's, by its coordinate system.");
+        dimText("The place comes from the scan's coordinate system.");
     }
     const Vec3 up = sceneUpright(w);
     if (changed && position.elevation_deg > 0) towards = normalize(sunDirection(position, up, defaultNorth(up)));

@@ -55,7 +55,9 @@ TEST_F(PictureErrors, InvalidSettingsAreNamed) {
     expectError(Kind::kBadUsage, "spp: ", with("spp", "0"));
     expectError(Kind::kBadUsage, "staged_for: ", with("staged_for", "1,2"));
     expectError(Kind::kBadUsage, "up: ", with("up", "sideways"));
-    EXPECT_THROW(renderer({{"color_map", "turbo"}}), TraceError); // an object, which is not coloured by a value
+    // an object, which is not coloured by a value
+    expectError(Kind::kBadUsage, "color_map: needs color_by", with("color_map", "turbo"));
+    expectError(Kind::kBadUsage, "color_by: ", with("color_by", "reflectance"));
     expectError(Kind::kBadUsage, "size: unknown *known *integrator", with("size", "4x4"));
     expectError(Kind::kBadUsage, "exposure: unknown", with("exposure", "1"));
     expectError(Kind::kBadUsage, "output: unknown", with("output", "a.png"));
