@@ -13,7 +13,7 @@
 namespace pointrt {
 
 /// Calls work(k) for k in [0, count) in any order; rethrows the first exception. If starting a thread fails, the
-/// threads that run do all the work.
+/// threads already running do all the work.
 /// @param threads maximum number, including this one; 0: one per core
 template <typename Work>
 void forAll(std::size_t count, const Work& work, std::size_t threads = 0) {

@@ -9,7 +9,7 @@ namespace pointrt {
 
 namespace {
 
-// Earlier, one fast or slow stage would dominate the estimate.
+// Before this much time and work, a single fast or slow stage would dominate the estimate.
 constexpr double kMinElapsed_s = 2, kMinShare = 0.02;
 // Time constant: after this time the estimate has covered 1 - 1/e of its difference from the extrapolation.
 constexpr double kTimeConstant_s = 4;

@@ -13,7 +13,7 @@ class TimeLeft {
 public:
     /// @param elapsed_s since the start, not decreasing
     /// @param share fraction of the work done, 0 to 1
-    /// @return seconds; nothing during the first 2 s and 2 % of the work
+    /// @return seconds; nullopt until both 2 s and 2 % of the work are done
     std::optional<double> update(double elapsed_s, double share);
 
 private:

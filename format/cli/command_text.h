@@ -29,7 +29,7 @@ struct OptionText {
 
 struct CommandText {
     std::string name;    ///< "pointrt-bake", "pointrt-rays cast"
-    std::string purpose; ///< one line without a capital and a full stop
+    std::string purpose; ///< one line without an initial capital or a full stop
     std::string about;   ///< sentences, one or more lines
     std::string version;
     OptionText input;                ///< the positional argument; an empty placeholder if the command takes none

@@ -10,7 +10,7 @@ namespace pointrt {
 namespace {
 
 constexpr std::size_t kColumns = 80;
-constexpr std::size_t kHelpColumn = 26; ///< where descriptions of options start: 54 columns for them
+constexpr std::size_t kHelpColumn = 26; ///< where option descriptions start, which leaves 54 columns
 constexpr std::size_t kExampleGap = 3;  ///< spaces between an example and its description, at least
 
 std::vector<std::string> linesOf(const std::string& text) {
@@ -20,7 +20,7 @@ std::vector<std::string> linesOf(const std::string& text) {
     return lines;
 }
 
-/// The words of text from this column on; lines after the first are indented.
+/// Wraps text that starts at this column; lines after the first are indented.
 std::string wrapped(const std::string& text, std::size_t column, std::size_t indent) {
     std::string result;
     bool at_start = true; // of a line
@@ -37,14 +37,14 @@ std::string wrapped(const std::string& text, std::size_t column, std::size_t ind
     return result + "\n";
 }
 
-/// Each line of text wrapped by itself.
+/// Wraps each line of text separately.
 std::string wrappedLines(const std::string& text) {
     std::string result;
     for (const std::string& line : linesOf(text)) result += wrapped(line, 0, 0);
     return result;
 }
 
-/// Paragraphs are separated by empty lines.
+/// Wraps paragraphs, which are separated by empty lines.
 std::string wrappedParagraphs(const std::string& text) {
     std::string result, paragraph;
     for (const std::string& line : linesOf(text + "\n\n")) {
@@ -103,7 +103,7 @@ Example exampleOf(const std::string& line) {
     return {line.substr(begin, gap - begin), line.substr(line.find_first_not_of(' ', gap))};
 }
 
-/// A command on lines that a shell joins, broken before options and pipes.
+/// Splits a command into lines that end in backslashes, before options and pipes.
 std::string commandLines(std::string command) {
     std::string text = "  ";
     const std::string next = " \\\n      "; // deeper than the first line

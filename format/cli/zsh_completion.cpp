@@ -9,7 +9,7 @@ std::string action(const ValueText& value) {
     if (value.is_file) {
         std::string pattern;
         for (const std::string& suffix : value.suffixes) pattern += (pattern.empty() ? "" : "|") + suffix.substr(1);
-        if (value.suffixes.size() > 1) pattern = "(" + pattern + ")"; // one alone would be a qualifier
+        if (value.suffixes.size() > 1) pattern = "(" + pattern + ")"; // one alone would be a glob qualifier
         return pattern.empty() ? "_files" : "_files -g \"(#i)*." + pattern + "\"";
     }
     return value.words.empty() ? " " : "(" + escaped(joinedWords(value.words, " "), ":\\") + ")";

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// PROJ without linking to it: the tools run where it is not installed, and open it to interpret a coordinate system.
+// Uses PROJ without linking to it: the tools run where it is not installed, and load it only to interpret a coordinate
+// system.
 #pragma once
 
 #include <proj.h>

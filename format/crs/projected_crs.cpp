@@ -116,7 +116,7 @@ Object inMetresEastNorth(PJ_CONTEXT* context, const PJ* crs) {
     return Object(proj().proj_create_projected_crs(context, "", base.get(), projection.get(), axes.get()));
 }
 
-/// Longitude of the system's prime meridian from Greenwich, such as 2.337 of Paris.
+/// Longitude of the system's prime meridian from Greenwich, in radians; that of Paris is 2.337 degrees.
 double primeMeridianRadians(PJ_CONTEXT* context, const PJ* crs) {
     const Object meridian(proj().proj_get_prime_meridian(context, crs));
     double longitude = 0, radians_per_unit = 0;

@@ -22,7 +22,7 @@ struct ProjectedCrs {
 /// Whether PROJ (libproj.so.25) and its database are installed.
 bool isProjInstalled();
 
-/// Interprets "EPSG:N" or WKT, version 1 or 2; the projected part of a compound or bound system. None if the text is
+/// Interprets "EPSG:N" or WKT, version 1 or 2; the projected part of a compound or bound system. nullopt if the text is
 /// not a coordinate system, or not a projected one.
 /// @throws Error kCannotRun if PROJ is not installed, or its database is missing
 std::optional<ProjectedCrs> projectedCrs(std::string_view crs);
@@ -30,7 +30,7 @@ std::optional<ProjectedCrs> projectedCrs(std::string_view crs);
 /// Meridian convergence: the angle from true north to grid north, clockwise, in degrees.
 /// @param crs as for projectedCrs
 /// @param longitude_deg from Greenwich
-/// @return nullopt if projectedCrs returns it, or if the projection is not defined there
+/// @return nullopt if projectedCrs would return nullopt, or if the projection is not defined there
 /// @throws Error as projectedCrs does
 std::optional<double> meridianConvergenceDeg(std::string_view crs, double latitude_deg, double longitude_deg);
 
@@ -38,10 +38,10 @@ struct GeographicPlace {
     double latitude_deg = 0, longitude_deg = 0; ///< north and east positive, from Greenwich
 };
 
-/// The WGS 84 position of a point in a projected system; without datum shift grids accurate to some 100 m.
+/// The WGS 84 position of a point in a projected system; accurate to some 100 m if datum shift grids are missing.
 /// @param crs as for projectedCrs
 /// @param easting, northing in the system's unit
-/// @return nullopt if projectedCrs returns it, or outside the projection
+/// @return nullopt if projectedCrs would return nullopt, or outside the projection
 /// @throws Error as projectedCrs does
 std::optional<GeographicPlace> geographicPlace(std::string_view crs, double easting, double northing);
 

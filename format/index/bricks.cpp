@@ -33,8 +33,8 @@ constexpr std::size_t kRunNodes = 256;
 constexpr float kSlackEdges = 1e-3f, kSlackSteps = 1.5f;
 
 /// If the octree has leaves below the grid, cells with more than kMaxDiscs discs are halved, at most kMaxHalvings
-/// times, unless the lists of the halves together would be longer by more than kMaxListGrowth. For discs as large as
-/// the cell they are 4 or more times as long.
+/// times, unless the lists of the halves together would be more than kMaxListGrowth times as long. For discs as large
+/// as the cell they are at least 4 times as long.
 constexpr std::size_t kMaxDiscs = 48;
 constexpr std::uint32_t kMaxHalvings = PRO_INDEX_HALVINGS_MAX;
 constexpr std::size_t kMaxListGrowth = 3;
@@ -89,7 +89,8 @@ struct ListedTotal {
     bool isFull() const { return listed > limit; }
 };
 
-/// Lengths are in edges of a brick's cells, relative to the source's lowest corner. Stops when the total is full.
+/// Lengths are in edges of a brick's cells, relative to the source's lowest corner. Stops once the total exceeds its
+/// limit.
 class BrickBuilder {
 public:
     BrickBuilder(const pro_info& info, const pro_view& view, const EntryGrid& grid, Part& part, ListedTotal& total)
@@ -193,7 +194,7 @@ private:
         discs_.push_back(disc);
     }
 
-    /// Makes a disc of a ball.
+    /// Turns a ball into a disc with this normal.
     void orient(CellDisc& disc, const float normal[3]) const {
         disc.slab = info_.blend_slab * disc.radius;
         std::copy_n(normal, 3, disc.normal.begin());

@@ -27,7 +27,7 @@ struct Bricks {
     Words blending; ///< splats that only blend in a cell, two numbers per word
 };
 
-/// Limits from the number of bits for indices.
+/// Limits set by the number of bits for indices.
 struct BrickLimits {
     std::size_t cells = std::size_t{1} << (32 - PRO_CELL_INDEX_SHIFT); ///< also of groups, counting 8 per brick
     std::size_t listed = PRO_INDEX_LISTED_MAX;                         ///< near splats and blending numbers

@@ -25,8 +25,8 @@ Vector sum(const Vector& a, float scale, const Vector& b) {
     return {a[0] + scale * b[0], a[1] + scale * b[1], a[2] + scale * b[2]};
 }
 
-/// A disc relative to the middle of the cell, in cell edges; its radius is at most kLargestCodedRadius. Or a ball of
-/// any radius: with a smaller one its surface would bend more.
+/// A disc relative to the middle of the cell, in cell edges; its radius is at most kLargestCodedRadius. A ball keeps
+/// any radius, because a smaller one would bend its surface more.
 struct Place {
     Vector center;
     float radius;
@@ -79,7 +79,7 @@ struct Heights {
     float least = std::numeric_limits<float>::infinity(), most = -least;
 };
 
-/// The same for a ball.
+/// Extends the range of heights to include the part of the ball that may be in the cell.
 void widenForBall(Heights& heights, const CellDisc& ball, const Vector& normal, const CellBox& box) {
     const float middle = dot(normal, placedIn(ball, box).center), reach = ball.radius * std::sqrt(dot(normal, normal));
     const float corner =

@@ -35,8 +35,8 @@ struct CellBox {
 std::uint32_t slabWord(std::span<const CellDisc* const> discs, const CellBox& box);
 
 /// Appends discs (not empty) as near splats relative to the middle of box, PRO_NEAR_WORDS each.
-/// @return position codes per edge of box: exact as a half float, also when scaled to edges 2^-PRO_CELL_OFFSET_BITS as
-/// long
+/// @return position codes per edge of box: exact as a half float, and also when scaled to edges 2^-PRO_CELL_OFFSET_BITS
+/// times as long
 float encodeNear(std::span<const CellDisc* const> discs, const CellBox& box, std::vector<std::uint32_t>& near);
 
 /// Converts to a half float; exact for values that are half floats.

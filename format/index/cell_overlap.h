@@ -12,7 +12,7 @@ namespace pointrt {
 /// @param slab half its height; 0 for the disc alone
 bool mayOverlap(const CellDisc& disc, const CellBox& box, float slab);
 
-/// Whether the disc overlaps the cell: the same tests and one of its section (disc_section.h).
+/// Whether the disc overlaps the cell: the tests of mayOverlap, and one of the disc's section (disc_section.h).
 bool overlaps(const CellDisc& disc, const CellBox& box);
 
 /// Sets of cells of a brick, one bit per cell.

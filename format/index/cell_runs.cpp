@@ -13,8 +13,8 @@ namespace pointrt {
 
 namespace {
 
-/// Position codes per radius, for the mean and for the smallest disc: rounding of positions moves the rims of discs. In
-/// bricks of evenly sampled scans a code is 1/60 of a radius; smaller discs may be somewhat coarser.
+/// Minimum number of position codes per radius, for the mean and for the smallest disc: rounding of positions moves the
+/// rims of discs. In bricks of evenly sampled scans a code is 1/60 of a radius; smaller discs may be somewhat coarser.
 constexpr float kCodesToMean = 56, kCodesToSmallest = 20;
 
 /// The smallest cell relative to its block whose distance from the middle of the block fits the offset codes.

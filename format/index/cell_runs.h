@@ -13,7 +13,7 @@ namespace pointrt {
 
 using Discs = std::vector<const CellDisc*>;
 
-/// The lists of a cell: discs that cross it, and discs of which only the slab does.
+/// The lists of a cell: discs that cross it, and discs whose slab alone crosses it.
 struct CellLists {
     Discs hittable, blending;
 };

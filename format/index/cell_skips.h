@@ -12,7 +12,8 @@ namespace pointrt {
 /// Writes the skips of empty brick cells (pointrt/pro_index_layout.h), which extend into neighbouring bricks and grid
 /// cells, and extends those of empty grid cells into nearby bricks.
 /// @param grid from fillEntryGrid
-/// @param words PRO_BRICK_WORDS per brick in the order of the grid, kEmptyWord for empty cells; later words are kept
+/// @param words PRO_BRICK_WORDS per brick in the order of the grid, kEmptyWord for empty cells; words after these are
+/// unchanged
 /// @param threads maximum number; 0: one per core
 void fillCellSkips(EntryGrid& grid, std::size_t brick_count, Words& words, std::size_t threads = 0);
 

@@ -15,7 +15,8 @@ namespace {
 /// The grid has the depth of most splats, so that rays seldom descend below it, unless that would need more words per
 /// leaf than this: 6 bytes per splat for an evenly sampled scan with some 90 splats per leaf.
 constexpr std::uint64_t kWordsPerLeaf = 128;
-/// The cells of a brick keep edges of 32 position steps: planes and traversal allow for 1.5 steps around (kSlackSteps).
+/// Brick cells keep edges of at least 32 position steps, since planes and traversal allow for 1.5 steps around
+/// (kSlackSteps).
 constexpr std::uint32_t kDeepest = PRO_POSITION_BITS - PRO_GRID_SHIFT_MIN;
 constexpr std::uint64_t kMinWords = 1u << 15;
 

@@ -56,7 +56,7 @@ constexpr auto kMaxSkipped = static_cast<std::uint8_t>(PRO_SKIP_FARTHEST);
 /// A grid without words over the leaves of a validated file. @param deepest maximum octree depth of its cells
 EntryGrid frameEntryGrid(const pro_info& info, const pro_view& view, std::uint32_t deepest = PRO_MAX_DEPTH);
 
-/// Writes the words of a grid, with skips of full cells.
+/// Writes the words of a grid, with skips of whole grid cells.
 /// @param corners lowest corners of the bricks, in position steps
 /// @param threads maximum number; 0: one per core
 void fillEntryGrid(EntryGrid& grid, std::span<const Corner> corners, std::size_t threads = 0);

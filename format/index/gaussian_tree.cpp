@@ -11,8 +11,8 @@ namespace {
 
 using Vec = std::array<double, 3>;
 
-/// Cells are tested grown by this share of their edge and at least by this length: the tracer's floats may place a peak
-/// on the other side of a cell's face.
+/// Cells are grown for tests by this share of their edge, and by at least this length: the tracer's floats may place a
+/// peak on the other side of a cell's face.
 constexpr double kCellGrowth = 1e-4, kLeastGrowth = 2.0 * PRO_POSITION_STEP;
 
 /// Coordinate descent towards the point of a cell nearest to the centre in standard deviations; any result is safe.
@@ -229,7 +229,7 @@ public:
             tree.lists.push_back(entries[next_].gaussian);
     }
 
-    /// Nodes that no cell uses.
+    /// Appends nodes that no cell uses.
     void pad(std::size_t count) {
         for (std::size_t k = 0; k < count; ++k) {
             tree.nodes.push_back(0);

@@ -14,8 +14,8 @@ namespace {
 
 constexpr std::size_t kGaussiansAtOnce = 16384; // takes some MiB for properties
 
-/// Logits of 0 and 1 are infinite, so opacities are limited to a quarter of a step before them, which is coded as 0 and
-/// 1 again.
+/// Logits of 0 and 1 are infinite, so opacities stay a quarter of a step away from them, which is coded as 0 and 1
+/// again.
 constexpr double kLeastOpacity = 0.25 / double{PRO_OPACITY_STEPS};
 
 std::string gaussianHeader(std::uint64_t count, std::uint32_t rest) {

@@ -23,7 +23,7 @@ struct Histogram {
 };
 
 /// Over all components.
-/// @param count of splats
+/// @param count number of splats
 Histogram histogramOf(const pro_attribute& attribute, std::size_t count);
 
 } // namespace pointrt

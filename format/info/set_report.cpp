@@ -32,7 +32,7 @@ std::string findingsText(const TileSet& set, const std::string& folder, const Fi
     return text;
 }
 
-/// Like that of a file, with the tile of each finding.
+/// Findings in the JSON form of a single file's, with the tile of each.
 std::string findingsJson(const TileSet& set, const std::string& folder, const Findings& findings) {
     Json json = {{"file", folder}, {"findings", Json::array()}};
     for (std::size_t i = 0; i < findings.size(); ++i)

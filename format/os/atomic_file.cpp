@@ -141,7 +141,7 @@ bool AtomicFile::openNamed() {
         temporary_ = temporaryStem(path_) + randomLetters();
         descriptor_ = ::open(temporary_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, kMode);
         if (descriptor_ < 0 && errno == EEXIST) continue;
-        // /proc/self/fd gives this error
+        // a folder such as /proc/self/fd, which exists but cannot hold files, gives this error
         if (descriptor_ < 0 && errno == ENOENT && access(folder_.c_str(), F_OK) == 0) {
             error_ = "cannot create files in " + folder_;
             return false;

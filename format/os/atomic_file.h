@@ -11,13 +11,13 @@ namespace pointrt::format {
 /// What happens to an existing file of the same name.
 enum class Existing {
     kReplaced, ///< the new file gets its permissions and, if allowed, its owner
-    kKept      ///< the new file fails, even if the other one appears just before commit
+    kKept      ///< the new file fails, even if the existing one appears just before commit
 };
 
 /// The file has no name until commit, so even SIGKILL leaves nothing behind. On file systems without unnamed files, and
-/// for the moment of replacing another file, it is PATH.tmp-XXXXXXXX and locked; the next AtomicFile that needs such a
-/// name for PATH deletes unlocked ones, which killed processes left. The destructor deletes a file without commit. If
-/// path is a symbolic link, the file is its target, and the link stays.
+/// for the moment of replacing another file, it is named PATH.tmp-XXXXXXXX and locked; the next AtomicFile that needs
+/// such a name for PATH deletes unlocked ones, which are left over from killed processes. The destructor deletes a file
+/// that was not committed. If path is a symbolic link, the file is its target, and the link stays.
 class AtomicFile {
 public:
     AtomicFile() = default;
@@ -33,7 +33,7 @@ public:
     bool commit(); ///< syncs, gives the file its name, syncs the folder
 
     const std::string& error() const { return error_; }
-    /// Whether it failed because the file exists (Existing::kKept).
+    /// Whether the failure was that the file exists (Existing::kKept).
     bool nameIsTaken() const { return name_is_taken_; }
 
 private:

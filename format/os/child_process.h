@@ -10,7 +10,7 @@
 
 namespace pointrt {
 
-/// The destructor kills it if it is still running.
+/// A child process, killed by the destructor if it is still running.
 class ChildProcess {
 public:
     /// Runs arguments[0], a path, with these arguments, without a shell, so they may contain any byte but 0. Its
@@ -21,16 +21,16 @@ public:
     ChildProcess(const ChildProcess&) = delete;
     ChildProcess& operator=(const ChildProcess&) = delete;
 
-    /// Returns new output, waiting until the timeout; "" if nothing was written. After the end of the output it just
+    /// Returns new output, waiting until the timeout; "" if nothing was written. After the end of the output, only
     /// sleeps.
     std::string read(std::chrono::milliseconds timeout);
     /// Once the process has ended: its status, as the system encodes it. 0 is success.
     std::optional<int> waitStatus();
-    /// Asks it to end (SIGTERM). Windows ends it.
+    /// Asks the process to end (SIGTERM); on Windows, kills it.
     void terminate();
-    /// Ends it (SIGKILL).
+    /// Kills the process (SIGKILL).
     void kill();
-    /// Its identifier; on Windows its handle.
+    /// The process identifier; on Windows a HANDLE.
     std::intptr_t id() const { return process_; }
 
 private:

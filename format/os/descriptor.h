@@ -29,7 +29,7 @@ void closeFile(int descriptor);
 
 /// Reads up to `bytes` bytes, perhaps fewer. Returns how many; 0 at the end, negative if it fails.
 std::ptrdiff_t readSome(int descriptor, void* to, std::size_t bytes);
-/// The same from an offset. Writes still append where they did.
+/// The same from an offset. Does not move the position at which later reads and writes continue.
 std::ptrdiff_t readAt(int descriptor, void* to, std::size_t bytes, std::uint64_t offset);
 /// Writes up to `bytes` bytes, perhaps fewer. Returns how many; negative if it fails.
 std::ptrdiff_t writeSome(int descriptor, const void* from, std::size_t bytes);

@@ -17,22 +17,22 @@ public:
     FileLock& operator=(const FileLock&) = delete;
     ~FileLock() { release(); }
 
-    /// Opens the file at path, which is created for the user alone if it is missing. False if that fails: failure()
-    /// then has the reason.
+    /// Opens the file at path; creates it, accessible only to the user, if it is missing. False if that fails:
+    /// failure() then has the reason.
     bool openFile(const std::string& path);
     /// The same for a folder, which must exist.
     bool openFolder(const std::string& path);
     bool isOpen() const { return handle_ != kClosed; }
 
-    /// Takes the lock of what is open, without waiting for it. failure() has the reason if it fails.
+    /// Locks the open file or folder, without waiting. failure() has the reason if it fails.
     LockResult take();
 
     /// Why the last call failed, for an error line.
     const std::string& failure() const { return failure_; }
 
-    /// Closes what is open and thereby releases its lock.
+    /// Closes the file or folder, which releases its lock.
     void release();
-    /// Deletes the file, which is locked, and releases its lock.
+    /// Deletes the locked file and releases its lock.
     void removeFile();
 
 private:

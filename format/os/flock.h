@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// flock(2) on descriptors, without waiting. For the sources of this room that are not for Windows.
+// flock(2) on descriptors, without waiting, for the non-Windows sources of format/os.
 #pragma once
 
 #include <sys/file.h>

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Folders under paths of any length: std::filesystem lists none on Windows whose path is longer than 260 characters.
+// Folders under paths of any length: on Windows, std::filesystem cannot list those with a path of more than 260
+// characters.
 #pragma once
 
 #include <string>

@@ -3,6 +3,6 @@
 
 namespace pointrt {
 
-void returnLargeBlocks() {} // does nothing: its heap returns large blocks anyway
+void returnLargeBlocks() {} // does nothing: the heap of Windows returns large blocks anyway
 
 } // namespace pointrt

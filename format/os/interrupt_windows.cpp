@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Windows calls handlers of consoles on a thread of their own.
+// Windows calls console control handlers on a thread of their own.
 #include "format/os/interrupt.h"
 
 #include "format/os/wide_path_windows.h"

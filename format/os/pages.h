@@ -9,13 +9,13 @@ namespace pointrt {
 /// Size of the huge pages that the system may use for large blocks aligned to them, in bytes.
 inline constexpr std::size_t kHugePage = std::size_t{2} << 20;
 
-/// A block of `bytes` bytes, a multiple of `alignment`, which is a power of 2. Huge pages are used if both are
-/// multiples of theirs. Null if there is no memory.
+/// A block of `bytes` bytes, a multiple of `alignment`, which is a power of 2. Uses huge pages if `alignment` is
+/// kHugePage. Null if there is no memory.
 void* allocatePages(std::size_t alignment, std::size_t bytes);
 void freePages(void* memory);
 
-/// Drops whole pages of mapped memory, from `start` on, which is the start of a mapping, from the memory of this
-/// process, not from the file cache; reading them maps them again.
+/// Drops the whole pages among `bytes` bytes from `start`, the start of a mapping, from the memory of this process but
+/// not from the file cache; reading them maps them again.
 void dropPages(const void* start, std::size_t bytes);
 
 } // namespace pointrt

@@ -10,8 +10,8 @@ namespace pointrt {
 ///  - writes past `ulimit -f` fail with EFBIG instead of ending the process silently;
 ///  - reading a mapped file that was truncated meanwhile, or whose disk fails, ends the process with a line that names
 ///    the file and exit code kBadInput;
-///  - std::bad_alloc thrown in any thread ends the process with "out of memory" and exit code kCannotRun. Other crashes
-///    end it as crashes.
+///  - std::bad_alloc thrown in any thread ends the process with "out of memory" and exit code kCannotRun. Other
+///    uncaught exceptions crash it as usual.
 void prepareProcess(const char* tool_name);
 
 /// From now on writing to a pipe without readers fails with EPIPE instead of ending the process: for programs whose

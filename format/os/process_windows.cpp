@@ -24,7 +24,7 @@ std::terminate_handler default_terminate = nullptr;
 
 void printWord(const char* text) { printFromHandler(text, std::strlen(text)); }
 
-/// A page of a mapped file that cannot be read: its disk failed, or the network on which it is.
+/// Reports a page of a mapped file that cannot be read: the file was truncated, or its disk or network failed.
 LONG WINAPI onFault(EXCEPTION_POINTERS* fault) {
     if (fault->ExceptionRecord->ExceptionCode != EXCEPTION_IN_PAGE_ERROR) return EXCEPTION_CONTINUE_SEARCH;
     printWord(running_tool);

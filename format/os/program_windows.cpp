@@ -14,7 +14,7 @@ int _dowildcard = -1;
 namespace pointrt {
 
 std::string programPath() {
-    constexpr std::size_t kLongest = 32768; // of a path of Windows
+    constexpr std::size_t kLongest = 32768; // longest path of Windows, in characters
     std::wstring path(kLongest, 0);
     path.resize(GetModuleFileNameW(nullptr, path.data(), static_cast<DWORD>(path.size())));
     return format::narrowPath(path);
@@ -27,8 +27,7 @@ bool isProgram(const std::string& path) {
     return std::filesystem::is_regular_file(format::widePath(path), ignored);
 }
 
-/// \\?\C:\scan.las is C:\scan.las, and \\?\UNC\server\scan.las is \\server\scan.las. Other names behind the prefix
-/// stay.
+/// \\?\C:\scan.las is C:\scan.las, and \\?\UNC\server\scan.las is \\server\scan.las. Other names keep the prefix.
 std::string plainPath(const std::string& path) {
     const std::string prefix = R"(\\?\)", share = prefix + R"(UNC\)";
     if (path.starts_with(share)) return R"(\\)" + path.substr(share.size());

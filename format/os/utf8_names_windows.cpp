@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // Makes the C library's functions take file names in UTF-8. The linker substitutes these for the functions of
 // msvcrt.dll (--wrap), also in libstdc++ and libpng, which are linked statically.
-// - mbrtowc, by which std::filesystem::path of libstdc++ makes names in bytes wide, knows no UTF-8 in msvcrt.dll,
-//   whatever the code page of the process.
-// - fopen takes names in the code page of the process. The tools' manifest sets that to UTF-8, but a library has the
-//   code page of the program that loads it: Python's is the system's.
+// - mbrtowc, with which std::filesystem::path of libstdc++ converts names to wide characters, does not support UTF-8 in
+//   msvcrt.dll, whatever the code page of the process.
+// - fopen takes names in the code page of the process. The tools' manifest sets that to UTF-8, but a library uses the
+//   code page of the program that loads it, and Python's is the system's.
 #include <algorithm>
 #include <cerrno>
 #include <cstdio>
@@ -49,5 +49,5 @@ extern "C" std::FILE* __wrap_fopen(const char* path, const char* mode) {
     return _wfopen(pointrt::format::widePath(path).c_str(), pointrt::format::widePath(mode).c_str());
 }
 
-/// libstdc++'s name for it.
+/// The name by which libstdc++ calls fopen.
 extern "C" std::FILE* __wrap_fopen64(const char* path, const char* mode) { return __wrap_fopen(path, mode); }

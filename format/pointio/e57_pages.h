@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The pages of an E57 file in the making: 1020 bytes and their checksum each.
+// Writes an E57 file in pages: 1020 bytes and their checksum each.
 #pragma once
 
 #include <cstdint>
@@ -15,7 +15,7 @@ public:
     explicit E57Pages(PointFile file) : file_(std::move(file)) {}
 
     static constexpr std::uint64_t kPage = 1024, kPayload = 1020;
-    /// The place in the file of a byte of the payloads.
+    /// The file offset of a byte of the payload.
     static std::uint64_t placeOf(std::uint64_t logical) { return logical / kPayload * kPage + logical % kPayload; }
 
     std::uint64_t size() const { return size_; } ///< payload bytes so far
@@ -33,7 +33,7 @@ private:
     static std::string withChecksum(std::string page);
 
     PointFile file_;
-    std::string first_, page_; ///< the first page is kept until the end, the other is the last so far
+    std::string first_, page_; ///< the first page, kept until the end, and the last one so far
     std::uint64_t size_ = 0;
 };
 

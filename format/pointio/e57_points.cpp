@@ -18,10 +18,10 @@ namespace pointrt {
 namespace {
 
 constexpr std::size_t kE57HeaderBytes = 48, kE57SectionBytes = 32;
-/// Points in a packet, of which a stream may have 65535 bytes and all together as many.
+/// Target size of a packet in bytes: the limit is 65535, for each stream and for all of them together.
 constexpr std::size_t kPacketBytes = 60000;
 
-/// A number of each point: a stream of its own in each packet.
+/// One number per point: a stream of its own in each packet.
 struct E57Stream {
     std::string tag, type;
     std::uint32_t from = PRO_TYPE_F64; ///< the type in blocks
@@ -177,7 +177,7 @@ private:
         });
     }
 
-    /// Integers as their distance from the smallest of the type.
+    /// Integers are stored as their distance from the smallest value of the type.
     template <typename Number>
     static void addAs(Number number, std::string& data) {
         if constexpr (std::is_floating_point_v<Number>) {
@@ -217,7 +217,7 @@ private:
     std::vector<E57Stream> streams_;
     std::size_t points_at_once_ = 1;
     std::uint64_t count_ = 0;
-    double scale_ = 1; ///< metres a unit
+    double scale_ = 1; ///< metres per unit
 };
 
 } // namespace

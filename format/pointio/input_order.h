@@ -12,7 +12,7 @@ namespace pointrt {
 /// splats that fill gaps.
 std::vector<std::uint32_t> inputOrder(const ProFile& file);
 
-/// The number of these splats.
+/// The number of splats that inputOrder returns.
 std::uint64_t inputCount(const ProFile& file);
 
 } // namespace pointrt

@@ -14,7 +14,7 @@ namespace pointrt {
 struct LasField {
     std::string name;
     std::uint32_t type = 0, components = 1; ///< of the attribute
-    std::size_t at = 0;                     ///< byte of the record
+    std::size_t at = 0;                     ///< byte offset in the record
     std::uint8_t shift = 0, mask = 0;       ///< of bit fields; mask 0: whole bytes
     /// Usually 0 for all points, and then dropped.
     bool minor = false;

@@ -33,7 +33,7 @@ std::array<double, 2> limitsOf(const LasField& field) {
 
 /// Whether all values are in memory and integers.
 bool areWhole(const PointColumn& column) {
-    if (!column.values) return false; // many files lack it, and the values are not worth reading for this
+    if (!column.values) return false; // as for tile sets; the values are not worth reading just for this
     return withType(column.type, [&](auto number) {
         const auto* values = static_cast<const decltype(number)*>(column.values);
         return std::all_of(values, values + column.value_rows * column.components, [](auto each) {

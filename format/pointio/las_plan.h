@@ -31,7 +31,7 @@ struct LasExport {
     std::optional<ScaledLasColumn> intensity; ///< set if the LAS field cannot hold the numbers
     const LasField* colors = nullptr;         ///< takes color_column; null if an attribute holds colours
     std::size_t color_column = 0;
-    const LasField* returns = nullptr; ///< set if no attribute numbers returns: each point is the only return
+    const LasField* returns = nullptr; ///< set if no attribute has return numbers: each point is the only return
     std::vector<LasField> fields;      ///< all fields of the point format
 };
 

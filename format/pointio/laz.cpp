@@ -23,8 +23,8 @@ constexpr std::size_t kTableOffset = 8;
 /// Bytes of version and number of chunks, which precede the entries of the table.
 constexpr std::size_t kTableHead = 8;
 
-/// Equal points compress to a three thousandth, scans to a quarter to a twentieth. Files with more than 64 MiB of
-/// points that announce a higher ratio are refused, so that a few bytes cannot request any amount of memory.
+/// Identical points compress to 1/3000, scans to 1/4 to 1/20. Files with more than 64 MiB of points that announce a
+/// higher ratio than kMostGain are refused, so that a few bytes cannot request any amount of memory.
 constexpr std::uint64_t kMostGain = 1000, kFreeBytes = std::uint64_t{64} << 20;
 
 const std::uint8_t* bytesAt(std::string_view bytes) { return reinterpret_cast<const std::uint8_t*>(bytes.data()); }

@@ -39,7 +39,7 @@ struct LazLayout {
 
 /// Locates the chunks. Throws Error (kBadInput, without the file's name) if the compression is missing or unknown, the
 /// chunk table is invalid, or the file announces more points than its bytes can hold.
-/// @param salvages accept a chunk table of fewer points
+/// @param salvages accept a chunk table with fewer points than announced
 LazLayout lazLayout(const LasFile& file, bool salvages = false);
 
 /// Decompresses points in sequence.

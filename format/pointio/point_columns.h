@@ -24,7 +24,7 @@ enum class PointRole {
 
 /// One or several numbers of one type for each point.
 struct PointColumn {
-    std::string name;             ///< names of laspy ("intensity", "gps_time") go to fields of LAS
+    std::string name;             ///< laspy's names ("intensity", "gps_time") go to LAS fields
     std::uint32_t type = 0;       ///< PRO_TYPE_*
     std::uint32_t components = 1; ///< 1 to 4
     PointRole role = PointRole::kAttribute;

@@ -29,7 +29,7 @@ PointFormat pointFormat(const std::string& path);
 /// - .ply: binary little-endian, double x y z, then a property for each component (NAME, or NAME_0 ... of several;
 ///   64-bit integers as double)
 /// - .las, .laz: see planLas
-/// - .pcd: version 0.7, binary; positions as floats if these are as fine as the positions are, else as doubles
+/// - .pcd: version 0.7, binary; positions as floats if these are precise enough, else as doubles
 /// - .e57: one scan in metres, without a coordinate system; attributes without a name in the standard are an extension
 ///   "pointrt:NAME"
 /// - .csv: text with a line of names; numbers in their shortest exact form

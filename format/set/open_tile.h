@@ -22,8 +22,8 @@ void describeTile(const std::string& folder, SetTile& tile);
 /// "FILE: reason" if it cannot be read.
 void requireTile(const TileSet& set, const SetTile& tile, const std::string& folder);
 
-/// requireTile that returns a box around all discs of the file, including copies from neighbours, in input coordinates:
-/// the bounds of centres, enlarged by the largest radius.
+/// Like requireTile, but returns a box around all discs of the file, including copies from neighbours, in input
+/// coordinates: the bounds of centres, enlarged by the largest radius.
 TileBox discBoundsOf(const TileSet& set, const SetTile& tile, const std::string& folder);
 
 /// Opens the file after requireTile, and checks flags and attributes, too. Throws Error.

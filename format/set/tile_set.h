@@ -86,7 +86,7 @@ struct TileCube {
 
 /// The edge of the cores of a level, input units: edge * 2^level, exactly.
 double edgeOf(const TileSet& set, std::uint32_t level);
-/// Neighbours of a level share corners to the bit.
+/// The core of a cell, in input coordinates. Neighbours of a level share corners to the bit.
 TileBox coreOf(const TileSet& set, std::uint32_t level, const TileCell& cell);
 TileBox coreOf(const TileSet& set, const SetTile& tile);
 /// The cube of the tile's file, to the bit: scale is two edges of the core, origin half an edge below its lowest

@@ -23,7 +23,7 @@ namespace {
 using Json = nlohmann::json;
 
 constexpr int kDepthMax = 64; // of "settings", whose text is printed by a recursive function
-/// Limits of the JSON in memory at a time: enough for a quarter of a million sensors. The parser scans a list at the
+/// Limits of the JSON in memory at any time: enough for a quarter of a million sensors. The parser scans a list at the
 /// end of each object in it, so the product of both limits bounds its time to half a second.
 constexpr std::size_t kValuesMax = std::size_t{1} << 20, kObjectsMax = 256;
 

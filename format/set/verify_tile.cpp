@@ -36,7 +36,7 @@ Code codeOf(const SplatWords& words) {
             static_cast<std::int32_t>(words[1] >> PRO_Y_HIGH_BITS & PRO_POSITION_MASK)};
 }
 
-/// For codes within the cube.
+/// The words with this position, which must be within the cube.
 SplatWords withCode(SplatWords words, const Code& code) {
     const auto x = static_cast<std::uint32_t>(code[0]), y = static_cast<std::uint32_t>(code[1]);
     words[0] = x | y << PRO_POSITION_BITS;

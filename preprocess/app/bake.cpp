@@ -94,7 +94,7 @@ Splats discsOf(const Cloud& cloud, const BakeOptions& options) {
 }
 
 /// Finds or guesses the up direction unless the command line or a file gives it. Evidence from the surface overrides
-/// the custom of a format.
+/// the convention of a format.
 void findUpInData(const Splats& splats, BakeReport& report, WorldFrame& world) {
     if (isUpKnown(report)) return;
     const FoundUp found = findUp(splats, report.scans, {world.up, areMeshes(report.files)});
@@ -104,8 +104,8 @@ void findUpInData(const Splats& splats, BakeReport& report, WorldFrame& world) {
     report.up_reason = found.reason;
 }
 
-/// If a capture has no evidence, the custom of its format is only a guess: programs keep the frame that their cameras
-/// had.
+/// Without evidence in a capture, the convention of its format is only a guess: programs keep the frame that their
+/// cameras had.
 void findUpOfCapture(const GaussianCloud& gaussians, BakeReport& report, WorldFrame& world) {
     findUpInData(surfaceOfGaussians(gaussians.points, gaussians.columns), report, world);
     if (report.up_from == nameOf(UpBasis::kCustom)) report.up_from = nameOf(UpBasis::kGuess);

@@ -21,7 +21,7 @@ struct BakeReport {
     std::vector<Note> notes;          ///< from reading
     std::vector<FileReport> files;
     WorldFrame world;
-    std::string up_from;   ///< "option", "file", "data", "format" (its custom) or "guess"; "" if unknown
+    std::string up_from;   ///< "option", "file", "data", "format" (its convention) or "guess"; "" if unknown
     std::string up_reason; ///< FoundUp::reason
     std::vector<Scan> scans;
     std::string source_header;         ///< Cloud::source_header

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Bounding boxes in double: the extent of any finite floats is finite.
+// Bounding boxes in double, so that the extent of any finite floats is finite.
 #pragma once
 
 #include <limits>

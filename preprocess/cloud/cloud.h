@@ -53,7 +53,7 @@ struct RangeGrid {
 /// The world frame of the input coordinates, as far as files state it; values on which files disagree are unknown.
 struct WorldFrame {
     Vec3d up = Vec3d::Zero();   ///< unit length; zero: unknown
-    bool up_by_custom = false;  ///< up is the custom of the format, not stated by the file
+    bool up_by_custom = false;  ///< up is the convention of the format, not stated by the file
     double metres_per_unit = 0; ///< 0: unknown
     bool from_above = false;    ///< airborne: all surfaces were scanned from above
     std::string crs;            ///< coordinate system: WKT, or "EPSG:N"; "": unknown
@@ -61,7 +61,7 @@ struct WorldFrame {
 
 /// Points of one or several scans in one frame. Optional arrays are empty or of the length of positions.
 struct Cloud {
-    /// Input coordinate = origin + position, per axis; integers, so that the sum is exact in double.
+    /// Input coordinate = origin + position, per axis; origin is whole numbers, so that the sum is exact in double.
     Vec3d origin = Vec3d::Zero();
     std::vector<Vec3f> positions;
     std::vector<Vec3f> normals;                 ///< as in the file, of any length; zero if missing

@@ -12,7 +12,7 @@
 
 namespace pointrt {
 
-/// Peak opacity, 0 to 1. The names of Gaussians' attributes; all are 32-bit floats.
+/// The names of Gaussians' attributes, all 32-bit floats. This one: peak opacity, 0 to 1.
 inline constexpr const char* kGaussianOpacity = "opacity";
 /// Standard deviations along the Gaussian's three axes, input units, all above 0.
 inline constexpr const char* kGaussianDeviation = "gaussian_deviation";
@@ -44,7 +44,7 @@ inline bool isGaussianAttribute(std::string_view name) {
 
 /// The values of a cloud's Gaussians, one, three or four for each point; see the names above.
 struct GaussianColumns {
-    const float* opacity = nullptr; ///< NaN for points that are no Gaussians
+    const float* opacity = nullptr; ///< NaN for points that are not Gaussians
     const float* deviation = nullptr;
     const float* rotation = nullptr;
     const float* color = nullptr;

@@ -14,7 +14,7 @@ inline double srgbFromLinear(double linear) {
     return linear <= 0.0031308 ? 12.92 * linear : 1.055 * std::pow(linear, 1 / 2.4) - 0.055;
 }
 
-/// Its slope.
+/// The slope of the curve.
 inline double srgbSlope(double linear) {
     return linear <= 0.0031308 ? 12.92 : 1.055 / 2.4 * std::pow(linear, 1 / 2.4 - 1);
 }

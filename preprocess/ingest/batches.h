@@ -16,7 +16,7 @@ namespace pointrt {
 /// Points of one scan.
 struct PointBatch {
     /// Arrays shorter than `positions` are absent: normals, colours and radii if the file has none, attributes if all
-    /// of their values are 0. If it has a grid, the batch is a whole scan, the last of Cloud::scans; otherwise
+    /// of their values are 0. If the cloud has a grid, the batch is a whole scan, the last of Cloud::scans; otherwise
     /// Cloud::positions must not be used.
     const Cloud& cloud;
     const std::vector<Vec3d>& positions; ///< input coordinates
@@ -27,17 +27,17 @@ struct PointBatch {
 
 /// The size of batches, and their receiver.
 struct BatchOptions {
-    std::size_t points = std::size_t{1} << 20; ///< hand a batch on from this many points
+    std::size_t points = std::size_t{1} << 20; ///< a batch is handed on once it has this many points
     std::function<void(const PointBatch&)> take;
     /// The largest colour value of each scan, as a first pass found it; 0 for scans with 8-bit colours. Null in the
     /// first pass, whose batches have no colours but 8-bit ones.
     const std::vector<float>* largest_color = nullptr;
-    std::uint64_t points_before = 0; ///< points handed on by a reading that this one continues
+    std::uint64_t points_before = 0; ///< points handed on by an interrupted reading that this one resumes
     /// A scan with a grid is handed on as one batch if neither its cells nor its points exceed this number.
     std::uint64_t most_in_grid = std::uint64_t{1} << 24;
 };
 
-/// Findings of a pass over the files about colours.
+/// What a pass over the files finds about colours.
 struct BatchFindings {
     std::vector<float> largest_color; ///< by scan, see BatchOptions
     bool colors = false;              ///< some scan has colours

@@ -26,8 +26,8 @@ struct ColumnTraits {
     std::string name;
     Scalar type = Scalar::kF32;
     std::uint32_t components = 1;
-    /// The file declares no type, the reader chose one: once all files are read, values are converted to the smallest
-    /// type that holds all of them exactly (narrowAttributes).
+    /// The file declares no type, so the reader chose one. Once all files are read, values are converted to the
+    /// smallest type that holds all of them exactly (narrowAttributes).
     bool untyped = false;
     /// Dropped if all values of all files are 0, unless attributes are selected by name (dropMinorAttributes).
     bool minor = false;

@@ -65,7 +65,7 @@ typedef struct pro_view {
 } pro_view;
 
 /* The tracing index, precomputed from the octree (words: pro_index_layout.h, rules: SPEC.md). All of its indices are in
- * range; that it lists every disc that crosses a cell is not checked. */
+ * range, but its completeness is not checked: it may lack discs that cross a cell. */
 typedef struct pro_index {
     uint32_t shift;     /* log2 of a grid cell's edge in position steps */
     uint32_t origin[3]; /* lowest grid cell, in grid cells */
@@ -83,7 +83,7 @@ typedef struct pro_index {
     const uint32_t* blending;    /* [blending_count / 2]: two signed 16-bit numbers each */
 } pro_index;
 
-/* An extra per-point attribute besides position, normal and colour, with the bits of the input. */
+/* An extra per-point attribute besides position, normal and colour, stored bit for bit as in the input. */
 typedef struct pro_attribute {
     char name[PRO_ATTRIBUTE_NAME_MAX + 1]; /* UTF-8, terminated, unique in a file; SPEC.md lists names with a meaning */
     uint32_t type;                         /* PRO_TYPE_* */
@@ -127,7 +127,7 @@ typedef struct pro_gaussian {
     float color[3];     /* display-encoded (sRGB), not limited to 0 to 1; without the view-dependent part */
 } pro_gaussian;
 
-/* What a file holds exactly of a Gaussian whose codes would show. Units as above. */
+/* The exact parameters of a Gaussian whose rounded codes would visibly differ. Units as in pro_gaussian. */
 typedef struct pro_exact_gaussian {
     uint32_t index; /* of the Gaussian */
     float rotation[4];
@@ -136,11 +136,11 @@ typedef struct pro_exact_gaussian {
 } pro_exact_gaussian;
 
 /* The Gaussians of a file: their coding, and the sections. All indices are in range, and the octree has no cycles and
- * no node deeper than PRO_MAX_DEPTH; that each Gaussian is listed wherever it counts is not checked. */
+ * no node deeper than PRO_MAX_DEPTH. It is not checked that each Gaussian is listed in every node that it reaches. */
 typedef struct pro_gaussians {
     uint32_t degree;                     /* of the view-dependent colour, 0 to 3 */
-    float deviation_low, deviation_step; /* log2 of cube units, and octaves per code */
-    float color_low, color_step;         /* colour of code 0, and per code of red and green */
+    float deviation_low, deviation_step; /* log2 of the smallest in cube units, and octaves per code */
+    float color_low, color_step;         /* colour of code 0; step per code of red and green, half of blue's */
     float harmonic_max[3];               /* largest coefficient of degree 1, 2, 3; 0 above degree */
     const uint32_t* words;               /* [splat_count][4] */
     const int8_t* harmonics;             /* [splat_count][3 * pro_harmonic_count(degree)]; NULL if degree is 0 */
@@ -169,9 +169,9 @@ PRO_API void pro_close(pro_file* file);
 
 PRO_API void pro_get_info(const pro_file* file, pro_info* info);
 PRO_API void pro_get_view(const pro_file* file, pro_view* view);
-/* Returns 1; 0, and zeros in *index, without an index. */
+/* Returns 1, or 0 and zeros in *index if the file has no index. */
 PRO_API int pro_get_index(const pro_file* file, pro_index* index);
-/* Returns 1; 0, and zeros in *gaussians, if the file has none. */
+/* Returns 1, or 0 and zeros in *gaussians if the file has none. */
 PRO_API int pro_get_gaussians(const pro_file* file, pro_gaussians* gaussians);
 /* Unknown values are 0. */
 PRO_API void pro_get_world(const pro_file* file, pro_world* world);
@@ -199,8 +199,8 @@ PRO_API pro_result pro_verify(const char* path, pro_report report, void* user, s
 
 /* Writes info and view as a .pro, atomically. Replaces an existing file, keeping its permissions, or the target of a
  * symbolic link. Leaves nothing behind on failure. Ignores version_* and file_bytes of info; order may be NULL and
- * metadata_bytes 0. Content that pro_open would refuse is PRO_BAD_ARGUMENT, with the number of the finding in message.
- * The same content gives the same bytes. */
+ * metadata_bytes 0. Returns PRO_BAD_ARGUMENT, with the number of the finding in message, for content that pro_open
+ * would refuse. The same content gives the same bytes. */
 PRO_API pro_result pro_write(const char* path, const pro_info* info, const pro_view* view, pro_message* message);
 
 /* The same with a tracing index, which may be NULL. */
@@ -241,8 +241,8 @@ PRO_API int pro_splat_is_ball(const uint32_t words[4]);
 /* Turns a packed splat into a ball. */
 PRO_API void pro_splat_set_ball(uint32_t words[4]);
 
-/* Packs a Gaussian: values outside the range of the coding become the nearest in it. splat: the words of SPLT, of which
- * the position is used; the mean must be in the same position step. */
+/* Packs a Gaussian, clamping values to the range of the coding. splat: its SPLT words, of which only the position is
+ * used; the mean must lie in the same position step. */
 PRO_API void pro_gaussian_encode(const pro_gaussian* gaussian, const pro_gaussians* coding, const uint32_t splat[4],
                                  uint32_t words[4]);
 /* Unpacks the codes alone; pro_gaussian_at also reads the exact parameters. */
@@ -253,7 +253,7 @@ PRO_API void pro_gaussian_decode(const pro_gaussians* coding, const uint32_t spl
 PRO_API void pro_gaussian_at(const pro_gaussians* gaussians, const uint32_t* splats, uint32_t index,
                              pro_gaussian* gaussian);
 
-/* Coefficients per colour of view-dependent colour up to this degree, without the constant one: 0, 3, 8, 15; 0 for
+/* Spherical-harmonic coefficients per colour channel up to this degree, without the constant one: 0, 3, 8, 15; 0 for
  * other degrees. */
 PRO_API uint32_t pro_harmonic_count(uint32_t degree);
 

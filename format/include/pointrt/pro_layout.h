@@ -64,7 +64,7 @@
 #define PRO_OFF_MATERIAL_COUNT 64 /* uint32, 1 to 256 */
 #define PRO_OFF_RADIUS_MAX 68     /* float, cube units */
 #define PRO_OFF_RADIUS_STEP 72    /* float, octaves per radius code */
-#define PRO_OFF_BLEND_SLAB 76     /* float, half the height of a splat's blending slab over its radius */
+#define PRO_OFF_BLEND_SLAB 76     /* float, half the height of a splat's blending slab, relative to its radius */
 #define PRO_OFF_ORIGIN 80         /* double[3], input coordinates of the cube's lowest corner */
 #define PRO_OFF_SCALE 104         /* double, cube edge in input units */
 #define PRO_OFF_BOUNDS_MIN 112    /* double[3], splat centres, input coordinates */
@@ -87,7 +87,7 @@
 #define PRO_OFF_DEVIATION_LOW 268    /* float, log2 of the smallest deviation, cube units */
 #define PRO_OFF_DEVIATION_STEP 272   /* float, octaves per deviation code */
 #define PRO_OFF_COLOR_LOW 276        /* float, colour of code 0 */
-#define PRO_OFF_COLOR_STEP 280       /* float, per code of red and green; half of that of blue */
+#define PRO_OFF_COLOR_STEP 280       /* float, step per code of red and green, half of blue's */
 #define PRO_OFF_HARMONIC_MAX 284     /* float[3], largest coefficient of degree 1, 2 and 3; 0 above the degree */
 #define PRO_FIELDS_END 296
 
@@ -193,7 +193,7 @@
 #define PRO_MAX_DEPTH PRO_POSITION_BITS
 
 /* The entry grid's cells are cubes of the octree. */
-#define PRO_GRID_SHIFT_MIN 7u            /* log2 of their edge in position steps: the cells of a brick keep 32 */
+#define PRO_GRID_SHIFT_MIN 7u            /* log2 of their edge in position steps: brick cells keep 32 or more */
 #define PRO_GRID_WORDS_MAX 0x1000000u    /* 2^24: fits the texel buffers of all devices that the viewer supports */
 #define PRO_INDEX_HALVINGS_MAX 12u       /* maximum number of groups above a cell */
 #define PRO_INDEX_LISTED_MAX 0x7FFFFFFFu /* maximum number of near splats, and of blending numbers */
@@ -246,7 +246,7 @@
 #define PRO_GAUSSIAN_BLUE_SHIFT 24u
 #define PRO_GAUSSIAN_COLOR_MASK 0x1FFu
 #define PRO_GAUSSIAN_BLUE_MASK 0xFFu
-#define PRO_GAUSSIAN_OPACITY_MIN (1.0f / 255.0f) /* a Gaussian counts where its opacity along a ray is not below */
+#define PRO_GAUSSIAN_OPACITY_MIN (1.0f / 255.0f) /* a ray skips Gaussians whose opacity along it stays below */
 
 /*
  * GHRM: signed bytes, red, green and blue of coefficient 1, then of coefficient 2 and so on, of degree 1 to the file's.
@@ -282,7 +282,7 @@
 /* SENS: four doubles per scan: the scanner's position in input coordinates and 1; zeros: unknown. */
 #define PRO_SENSOR_DOUBLES 4u
 
-/* ATTD: one record per attribute; the k-th ATTR section in the table has the values of the k-th. */
+/* ATTD: one record per attribute; the k-th ATTR section in the table has the values of the k-th attribute. */
 #define PRO_ATTRIBUTE_BYTES 64u
 #define PRO_ATTRIBUTE_MAX 32u
 #define PRO_ATTRIBUTE_NAME_MAX 31u
