@@ -30,9 +30,9 @@ double angleBetween(const Cloud& cloud, const Vec3f& sensor, std::uint32_t a, st
     return std::atan2(u.cross(v).norm(), u.dot(v));
 }
 
-/// Whether the last column is adjacent to the first. If so, in more than half of the rows with points in both, these
-/// are, seen from the sensor, hardly further apart than neighbours within the row. A full turn has more than a few
-/// columns.
+/// Whether the last column is adjacent to the first: in more than half of the rows with points in both columns, these
+/// points, seen from the sensor, are hardly further apart than neighbours within the row. A full turn has more than a
+/// few columns.
 bool wrapsAround(const Cloud& cloud, const Vec3f& sensor, const RangeGrid& grid) {
     constexpr std::uint32_t kFewestColumns = 16;
     constexpr double kStepsApart = 1.75; // steps between neighbours: between 1, and 2 if a column is missing

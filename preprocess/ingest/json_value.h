@@ -15,13 +15,13 @@ namespace pointrt {
 /// Parses the text, which is the input's or a part of it. Throws Error if it is not JSON.
 nlohmann::json parseJson(const InputFile& input, std::string_view text);
 
-/// A value that must have the type as which it is used: otherwise functions throw Error with the file and the place,
-/// such as "meshes[0].primitives[2].mode". Valid as long as the input and the parsed JSON.
+/// A value that must have the type that its reader asks for: otherwise functions throw Error with the file and the
+/// place, such as "meshes[0].primitives[2].mode". Valid as long as the input and the parsed JSON.
 class JsonValue {
 public:
     JsonValue(const InputFile& input, const nlohmann::json& root) : input_(&input), value_(&root) {}
 
-    /// Whether it is an object with this member, and that is not null.
+    /// Whether this is an object with a member of this name that is not null.
     bool has(const char* key) const;
     JsonValue member(const char* key) const;
     std::optional<JsonValue> optionalMember(const char* key) const;

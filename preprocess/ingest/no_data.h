@@ -46,8 +46,8 @@ public:
     /// few points, a hundred times as far, and it does not count as customary.
     std::vector<NoData> find() const;
 
-    /// Points at 0, 0, 0 between the others, as drivers of scanners write pulses without a return: then the scanner is
-    /// there. Nothing if a surface may have them: less than one in a hundred, or fewer than 16.
+    /// Points at 0, 0, 0 among the others, which drivers of scanners write for pulses without a return: then the
+    /// scanner is there. nullopt if they may be on a surface: fewer than one in a hundred, or fewer than 16.
     std::optional<NoData> findNoReturns() const;
 
 private:

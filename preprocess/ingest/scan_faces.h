@@ -20,7 +20,8 @@ public:
     /// Records that the file's vertex `index` is not in the cloud. Indices ascend.
     void drop(std::uint64_t index);
 
-    /// Adds a polygon of file indices as a fan of triangles. mirrored: the transform mirrors, which would show its back
+    /// Adds a polygon of file indices as a fan of triangles. mirrored: reverses it, as the transform would show its
+    /// back
     static void addPolygon(Cloud& cloud, std::span<const std::uint32_t> corners, bool mirrored,
                            const PolygonPaint& color, MeshPaint& paint);
 

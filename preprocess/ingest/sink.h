@@ -74,7 +74,7 @@ public:
     /// @param arrays for each of the traits' columns an array of its values, in vertex order
     void addVertices(std::span<const Vec3d> positions, std::span<const char* const> arrays);
 
-    /// Counts a vertex that the reader itself leaves out as filtered.
+    /// Counts, as filtered, a vertex that the reader itself leaves out.
     void skipVertex() { scan_.faces.drop(scan_.vertices++); }
 
     /// Adds a polygon of 3 or more file indices, each below the file's number of vertices, as a fan of triangles.

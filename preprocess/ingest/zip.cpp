@@ -26,7 +26,7 @@ std::uint32_t loadNumber(std::string_view bytes, std::size_t at, std::size_t siz
 std::uint32_t loadWord(std::string_view bytes, std::size_t at) { return loadNumber(bytes, at, 4); }
 std::uint32_t loadShort(std::string_view bytes, std::size_t at) { return loadNumber(bytes, at, 2); }
 
-/// The record at the end of the archive, behind which a comment may follow.
+/// The record at the end of the archive, after which a comment may follow.
 std::string_view endRecord(std::string_view bytes) {
     constexpr std::size_t kLongestComment = 0xffff;
     const std::size_t first = bytes.size() - std::min(bytes.size(), kEndSize + kLongestComment);

@@ -21,7 +21,7 @@ struct ZipMember {
 
 bool isZip(std::string_view bytes);
 
-/// The members that the archive's directory lists; nullopt if it has no valid directory, as if it is truncated.
+/// The members that the archive's directory lists; nullopt if it has no valid directory, such as when truncated.
 std::optional<std::vector<ZipMember>> zipMembers(std::string_view bytes);
 
 /// The name of the first member, which a truncated archive has too; "" if that is not there.

@@ -53,7 +53,7 @@ struct FileReport {
     /// Number of points that the header declares, if the file is truncated and was salvaged; otherwise 0.
     std::uint64_t promised = 0;
     double seconds = 0;
-    /// Names neither a coordinate system nor degrees, although it may be in degrees, as in its format.
+    /// Names neither a coordinate system nor degrees, although files of its format may be in degrees.
     bool hides_frame = false;
 };
 

@@ -37,7 +37,7 @@ bool isLongitudeLatitude(const Vec3d& position) {
 
 double widthOf(const Eigen::AlignedBox3d& box) { return std::max(box.sizes().x(), box.sizes().y()); }
 
-/// Whether a box is too wide for its distance from the meridian and the equator; all larger boxes around it are so too.
+/// Whether a box is too wide for its distance from the meridian and the equator; if so, all larger boxes around it are.
 bool isTooWide(const Eigen::AlignedBox3d& box) {
     const double reach = std::max(box.min().head<2>().cwiseAbs().maxCoeff(), box.max().head<2>().cwiseAbs().maxCoeff());
     return kSlender * widthOf(box) > reach;
@@ -46,7 +46,7 @@ bool isTooWide(const Eigen::AlignedBox3d& box) {
 } // namespace
 
 void dropNoData(Sink& sink) {
-    // the lost corners of faces are known by the numbers of their points
+    // corners of removed faces are stored as indices of points, which would change
     if (sink.no_data.empty() || !sink.cornersOfRemovedFaces().empty()) return;
     Cloud& cloud = sink.cloud;
     std::vector<bool> keep(cloud.positions.size(), true);

@@ -139,7 +139,7 @@ private:
     InputFile input_;
 };
 
-/// For files whose bytes must all be in memory.
+/// Throws Error if a file whose bytes must all be in memory is too large.
 void requireSmall(const InputFile& input, const Stream& stream, const char* why) {
     if (input.bytes.size() > stream.options.largest_whole_file)
         refuse(input,

@@ -8,8 +8,8 @@
 
 namespace pointrt {
 
-/// Whether a Gaussian looks different after rounding: opacity off by more than a twentieth, or across the least one
-/// that counts; or the end of an axis moved by more than 0.003 of the usual deviation.
+/// Whether a Gaussian looks different after rounding: opacity off by more than a twentieth, or on the other side of the
+/// least one that counts; or the end of an axis moved by more than 0.003 of the usual deviation.
 /// @param usual_deviation the median of the longest deviations of the file's Gaussians, cube units
 bool codesShow(const pro_exact_gaussian& exact, const pro_gaussian& decoded, double usual_deviation);
 

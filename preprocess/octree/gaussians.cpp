@@ -31,7 +31,8 @@ constexpr double kGaussianCubeMargin = 1.0 / 1024;
 /// Members of a leaf of the octree of centres. Nothing traverses it, so its lists may be long.
 constexpr std::uint32_t kCentersPerLeaf = 64;
 
-/// Codes of a deviation, and of red and green; blue has half as many.
+/// Steps between the lowest and the highest code: of a deviation, of red and green (blue has half as many), of
+/// harmonics.
 constexpr double kDeviationCodes = 4095, kColorCodes = 510, kHarmonicCodes = 127;
 
 /// The largest disc, in cube units: readers without support for Gaussians show larger ones of a sky at this size.
@@ -216,7 +217,7 @@ std::vector<pro_exact_gaussian> exactWhereCodesShow(const GaussianCloud& gaussia
     return exact;
 }
 
-/// As readers see them. @param gaussians with words and exact parameters
+/// The ellipsoids that readers decode. @param gaussians with words and exact parameters
 std::vector<GaussianEllipsoid> ellipsoidsOf(const pro_gaussians& gaussians, const PackedSplats& splats) {
     std::vector<GaussianEllipsoid> ellipsoids(splats.words.size());
     tbb::parallel_for(std::size_t{0}, ellipsoids.size(), [&](std::size_t k) {

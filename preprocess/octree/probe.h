@@ -22,7 +22,7 @@ private:
 /// Uniform on the disc, or on the surface of the ball, for u, v uniform in [0, 1).
 Vec3f pointOnDisc(const Disc& disc, float u, float v);
 
-/// Uniform over the sphere, with grazing directions, in which pruning by first hits opens cracks.
+/// Uniform over the sphere, including grazing directions, in which pruning by first hits opens cracks.
 Vec3f sphereDirection(float u, float v);
 
 /// Approximately the point in the box with the largest weight of the disc: that of least d^2 / r^2 + h^2 / s^2 with d

@@ -42,7 +42,7 @@ float supportOf(const Neighborhood& around, const AlgebraicSphere& sphere, float
 /// The point of the sphere nearest to the origin.
 Vec3f projectOrigin(const AlgebraicSphere& sphere);
 
-/// The sphere's unit normal there: the gradient's direction, which is the same at the origin.
+/// The sphere's unit normal at that point: the gradient's direction, which is the same at the origin.
 Vec3f normalAtOrigin(const AlgebraicSphere& sphere);
 
 } // namespace pointrt::surface

@@ -18,9 +18,9 @@ namespace {
 constexpr std::size_t kMostSparsePoints = 5000;
 
 /// A neighbourhood is no surface if the smallest eigenvalue of its covariance over the middle one is above this: nine
-/// in ten of a solid ball are (planarity.cpp). With 2,048 random samples, the share above is 93 % for a slab a tenth of
-/// an edge thick, 52 % for Lucy, 37 % for the Dragon, 17 % for the Bunny, 10 % for a cube, and 0 for a sphere or a
-/// torus; with 400 samples of the Bunny it is 20 %, with 300 of a torus three times as wide as its tube 30 %.
+/// in ten of a solid ball are (planarity.cpp). With 2,048 random samples, such neighbourhoods are 93 % of a slab a
+/// tenth of an edge thick, 52 % of Lucy, 37 % of the Dragon, 17 % of the Bunny, 10 % of a cube, and 0 of a sphere or a
+/// torus; with 400 samples of the Bunny 20 %, with 300 of a torus three times as wide as its tube 30 %.
 constexpr float kNoSurface = 0.25f;
 constexpr double kMostlySparse = 0.5;
 
@@ -28,7 +28,7 @@ constexpr double kMostlySparse = 0.5;
 constexpr float kOnSurface = 0.5f;
 
 /// A cloud with a larger share of scattered points than this is a volume. In random points the share is 0.98; at the
-/// borders of a volume points look flatter, so that in parts of 2,000 points (StatisticsSampler) it is 0.89. Of scans
+/// borders of a volume points look flatter, so that in parts of 2,000 points (StatisticsSampler) it is 0.89. In scans
 /// of trees it is 0.1 to 0.3, as stems and the ground are surfaces.
 constexpr double kVolumeShare = 0.75;
 

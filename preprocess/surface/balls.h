@@ -11,7 +11,7 @@
 namespace pointrt::surface {
 
 /// Whether a cloud is so sparse that most of its neighbourhoods are not surfaces, as they reach around thin parts.
-/// False for clouds of more points than can be so by sparsity alone.
+/// False for clouds of so many points that sparsity alone cannot be the reason.
 bool isTooSparse(const PointGraph& graph);
 
 /// Whether a cloud with this many scattered points (weighPlanarity) has hardly any point on a surface.
@@ -27,7 +27,7 @@ void setBallRadii(PointGraph& graph, const StageShare& share);
 /// @param decided for a part of a larger cloud: whether that has scattered points
 bool mayHaveBalls(const PointSet& points, std::optional<bool> decided);
 
-/// [points] 1: the point is on no surface, and becomes a ball. Points with given radii are pieces of one.
+/// [points] 1: the point is on no surface, and becomes a ball. Points with given radii are pieces of a surface.
 std::vector<std::uint8_t> flagBalls(const PointSet& points);
 
 /// Gives balls the radius that shows as much as their discs did.

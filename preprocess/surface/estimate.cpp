@@ -234,8 +234,8 @@ std::vector<std::uint32_t> fill(PointGraph& graph, std::size_t cloud_count, cons
     return sources;
 }
 
-/// The reach of sparse points: more than that of 95% of the points, and far more than that of the densest, which no
-/// point of an even sampling has.
+/// The reach beyond which points are sparse: more than that of 95% of the points, and so much more than that of the
+/// densest that no point of an even sampling exceeds it.
 float sparseReach(const PointGraph& graph, const Estimation& job) {
     constexpr float kFarBeyond =
         12; // raw range scans have at most 4, by overlap; as a power of two, half of it may be lost

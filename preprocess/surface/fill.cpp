@@ -24,9 +24,9 @@ struct Gap {
 };
 using Gaps = std::array<Gap, 2>; ///< on both sides
 
-/// A gap with rows as far apart as the filling points along them, so that there are as many of those as points of the
-/// line: the geometric mean of the line's step and the gap. The next line is 2 rows + 1 row steps away; each point
-/// fills the rows of its half.
+/// A gap with rows as far apart as the filling points along them: the geometric mean of the line's step and the gap, so
+/// that the gap gets as many filling points as the line has points. The next line is 2 rows + 1 row steps away; each
+/// point fills the rows of its half.
 Gap gapWith(const Facing& facing, const ScanLine& line) {
     const float gap = facing.across.norm(), row_step = std::sqrt(gap * line.step);
     const auto rows = std::uint32_t(std::lround((gap / row_step - 1) / 2));

@@ -11,11 +11,11 @@ namespace pointrt {
 
 /// What is known about up before looking at the surface.
 struct UpPrior {
-    Vec3d custom = Vec3d::Zero(); ///< customary for the format, unit length; zero: the format has no custom
+    Vec3d custom = Vec3d::Zero(); ///< the format's convention, unit length; zero: it has none
     bool is_mesh = false;         ///< every scan has faces
 };
 
-/// How much an up direction is worth.
+/// What an up direction is based on.
 enum class UpBasis { kData, kCustom, kGuess };
 
 /// "data", "format" or "guess", as reports name it.
@@ -24,13 +24,13 @@ const char* nameOf(UpBasis basis);
 struct FoundUp {
     Vec3d up = Vec3d::Zero(); ///< unit length; zero: there are no splats
     UpBasis basis = UpBasis::kGuess;
-    std::string reason; ///< the evidence, or what is usually so, in a few words
+    std::string reason; ///< the evidence, or the usual convention, in a few words
 };
 
 /// Infers up from the surface and the scanner positions. Rules, in this order:
 ///   - camera frame: one sensor on the z axis, with all points in a cone along it; -y is up;
 ///   - scanner positions: four or more stations in a plane; up is its normal;
-///   - ground: level wherever it is seen from below, but not from above, or higher there;
+///   - ground: the lowest surface is level, and the highest is less so or less even in height;
 ///   - room: level at the bottom and at the top, with shelves in between;
 ///   - level surfaces: most of the surface is level and the rest are walls if z is up, as scanners have it;
 ///   - map coordinates: x and y far from zero, z not;
@@ -38,10 +38,10 @@ struct FoundUp {
 ///   - storeys: floors, ceilings and walls of a building if y is up;
 ///   - base: the only side on which the object stands without falling over, unless that is the side of x or -z;
 ///   - vertical pole: along z.
-/// If all of them say nothing, as about a sphere, a box or a relief: the custom of the format, else a guess: z for
-/// points, but y for fronts that face along z; y for meshes, but z for those that lie flat as terrain does. Of formats
-/// with a custom, map coordinates are checked first: they confirm it. Directions within 5 degrees of an axis become
-/// that axis. The result does not depend on the number of threads.
+/// If none of them decides, as for a sphere, a box or a relief, up is the format's convention or, without one, a guess:
+/// z for points, but y for fronts that face along z; y for meshes, but z for those that lie flat as terrain does. For
+/// formats with a convention, map coordinates are checked first: they confirm it. Directions within 5 degrees of an
+/// axis become that axis. The result does not depend on the number of threads.
 FoundUp findUp(const Splats& splats, const std::vector<Scan>& scans, const UpPrior& prior = {});
 
 } // namespace pointrt

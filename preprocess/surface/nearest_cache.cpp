@@ -11,7 +11,7 @@ namespace {
 /// space.
 constexpr float kHeldOverFound = 2;
 
-/// The 24 points that are wanted at most (surround.cpp), 8 times, with room for uneven densities.
+/// At most 24 points are wanted (surround.cpp): 8 times as many, with room for uneven densities.
 constexpr std::size_t kMostHeld = 512;
 
 } // namespace

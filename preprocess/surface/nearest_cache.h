@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Searches for places that come near each other.
+// Nearest-point searches for a sequence of places that are near each other.
 #pragma once
 
 #include "preprocess/surface/candidates.h"
 
 namespace pointrt::surface {
 
-/// Finds the points nearest to places of which each is near the one before, as those along a Morton curve: holds the
-/// points around one place, and chooses among them until a place comes too near their border. Results equal those of
-/// NearestSearch::nearest, ties included, unless more points coincide with the place than are wanted. Use one object
+/// Finds the points nearest to each of a sequence of places, each near the one before, as along a Morton curve: holds
+/// the points around one place, and chooses among them until a place comes too near their border. Results equal those
+/// of NearestSearch::nearest, ties included, unless more points coincide with the place than are wanted. Use one object
 /// per thread.
 class NearestCache {
 public:

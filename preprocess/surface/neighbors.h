@@ -16,7 +16,7 @@
 
 namespace pointrt::surface {
 
-/// Squared distance, summed in FLANN's order: the same bits.
+/// Squared distance, summed in FLANN's order, so that the bits are the same.
 inline float squaredDistance(const Vec3f& a, const Vec3f& b) {
     const float x = a.x() - b.x(), y = a.y() - b.y(), z = a.z() - b.z();
     return x * x + y * y + z * z;
@@ -88,7 +88,7 @@ struct NeighborLists {
     }
     /// Radius of the neighbourhood: the distance to the last neighbour.
     float radius(const PointSet& points, std::size_t point) const { return distance(points, point, k - 1); }
-    /// The number of nearest neighbours that begin a list of another kind.
+    /// Number of nearest neighbours at the start of a list whose second half is wider (ListFlag).
     std::size_t denseCount() const { return k / 2 + 1; }
     /// Every point within this distance is on the list.
     float completeRadius(const PointSet& points, std::size_t point) const {

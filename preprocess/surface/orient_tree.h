@@ -31,8 +31,8 @@ struct EdgeKinds {
 EdgeKinds edgeKinds(const PointSet& points, const NeighborLists& lists);
 
 /// Flips normals so that they agree along the tree, starting from the points flagged in sources, which stay. Every
-/// component of the graph must hold a source. By CGAL's mst_orient_normals, which finds its own k neighbours: 7 to 13
-/// us and 1.5 KB per point, on one core.
+/// component of the graph must hold a source. Uses CGAL's mst_orient_normals, which finds its own k neighbours and
+/// takes 7 to 13 us and 1.5 KB per point, on one core.
 void orientByCgal(PointSet& points, const NeighborLists& lists, const std::vector<std::uint8_t>& sources);
 
 /// The same over the given lists, by Kruskal's algorithm: about 1 us and 60 bytes per point.

@@ -101,8 +101,8 @@ bool isOutlier(const OutlierJob& job, std::size_t point) {
     return false;
 }
 
-/// Representatives around a point that may lie between them, of cells of half the distance to the k-th neighbour: wider
-/// ones would reach beyond the halos of tiles.
+/// Representatives to examine around a point that may lie between them. Their cells are half as wide as the distance to
+/// the k-th neighbour: wider ones would reach beyond the halos of tiles.
 constexpr std::size_t kAround = 24;
 /// Edge of the finest cells, divided by the distance of floaters: an eighth of the 95th percentile of distances to the
 /// k-th neighbour. Sparse samples need a larger edge; tiles measure the same percentile as the whole cloud.

@@ -14,7 +14,7 @@ namespace pointrt::surface {
 constexpr std::size_t kMinPointsForOutliers = 1000;
 
 /// [points], 1: keep, 0: outlier. Distances are compared with those of neighbours, so that a change of density does not
-/// make outliers. With d, a point's distance to its k-th neighbour, a point is an outlier if
+/// make outliers. Let d be a point's distance to its k-th neighbour. A point is an outlier if
 ///   - d is more than 4 times the d of most of its neighbours, or
 ///   - it is in a clump of at most k points that is 20 times its own size away from all others, and 4 times the d of
 ///     those, or

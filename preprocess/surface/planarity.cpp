@@ -30,8 +30,8 @@ constexpr float kFaceHeight = 0.1f, kFaceCosine = 0.8f;
 /// most are scattered, the few in a plane are there by chance.
 constexpr float kAmongSurfaces = 0.5f, kAmongScatter = 0.25f;
 
-/// A cloud with fewer scattered points than this share consists of surfaces: their thinnest parts look scattered,
-/// because neighbourhoods reach around them, as do 3 in a thousand of a million samples of scanned meshes.
+/// A cloud with fewer scattered points than this share consists of surfaces: points on their thinnest parts, 3 in a
+/// thousand of a million samples of scanned meshes, look scattered, because neighbourhoods reach around these parts.
 constexpr double kMinScattered = 0.01;
 
 /// A smoothed point is on a surface if the mean weight over its neighbours and theirs is at least this. On the folds of

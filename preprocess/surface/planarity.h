@@ -17,8 +17,8 @@ constexpr std::size_t kMinPointsForPlanarity = 1000;
 /// Sets points.planarity: 1 on a surface, an edge or a corner, however noisy, as long as the neighbourhood shows it; 0
 /// among points scattered in space, such as foliage and outliers; in between if neither is clear. Clears it if the
 /// cloud consists of surfaces (isScattered), or has fewer than kMinPointsForPlanarity points and is not part of a
-/// larger one. By the dimension of a neighbourhood, from the eigenvalues of its covariance, at the scale where it is
-/// most planar (Pauly et al., Efficient simplification of point-sampled surfaces, 2002; Demantke et al., Dimensionality
+/// larger one. Judges a neighbourhood's dimension by the eigenvalues of its covariance, at the scale where it is most
+/// planar (Pauly et al., Efficient simplification of point-sampled surfaces, 2002; Demantke et al., Dimensionality
 /// based scale selection in 3D lidar point clouds, 2011). Needs normals.
 /// @param decided for a part of a larger cloud: whether that has scattered points
 /// @param inner [points] 1 for those that are counted
@@ -27,7 +27,7 @@ std::size_t weighPlanarity(PointGraph& graph, std::optional<bool> decided, const
                            const StageShare& share);
 
 /// Sets the planarity of points that cleaning moved onto a surface to 1 if they and those around lie in surfaces now:
-/// where noise is as wide as folds are, it makes them look scattered. Needs points.support.
+/// noise as wide as folds had made them look scattered. Needs points.support.
 void raisePlanarityOfSmoothed(PointGraph& graph, const StageShare& share);
 
 /// Whether a cloud with this many scattered points contains more than surfaces.

@@ -269,8 +269,8 @@ bool isSurrounded(const PointGraph& graph, std::size_t point) {
     return gapsBetween(angles).widest < kWidest;
 }
 
-/// A disc is part of a surface if, among the points up to this many radii off its plane, which must be this share of
-/// all points around, those within this distance (in radii) leave no wide angle empty.
+/// Requirements of isSupported, lengths in radii: at least this share of the points around are within off_plane of the
+/// disc's plane, and those of them at least `apart` from its centre leave no wide angle empty.
 struct Support {
     float off_plane;
     double share;

@@ -22,15 +22,16 @@ void computeRadii(PointGraph& graph, bool oriented, const StageShare& share);
 void shrinkSmoothed(PointSet& points);
 
 /// Shrinks discs much wider than those around them if their neighbours are in no plane: in crowns and hedges, at edges
-/// and among outliers they look like plates between closely sampled parts. So do discs much wider than the distances
-/// between neighbours that are in no plane, and those of sparse points, unless neighbours in a plane surround them.
-/// @param sparse_reach distance of the farthest of the nearest neighbours beyond which a point is sparse, unit of the
-/// points
-/// @param decided_limit limit of radii decided for a larger cloud; far below it, less must speak for a wide disc
+/// and among outliers they look like plates between closely sampled parts. Does the same to discs much wider than the
+/// distances between neighbours that are in no plane, and to those of sparse points, unless neighbours in a plane
+/// surround them.
+/// @param sparse_reach a point is sparse if the farthest of its nearest neighbours is further away than this, in the
+/// unit of the points
+/// @param decided_limit limit of radii decided for a larger cloud; discs far below it need less support
 void shrinkPlates(PointGraph& graph, float sparse_reach, std::optional<float> decided_limit);
 
-/// Shrinks the few radii far above all others. Isolated points are each other's neighbours, and no local rule tells
-/// their spacing from a surface's: their discs would be sails in the picture.
+/// Shrinks the few radii far above all others. Isolated points are each other's neighbours, and no local rule
+/// distinguishes their spacing from that of a surface: their discs would be sails in the picture.
 /// @param decided limit decided for a larger cloud
 void limitRadii(std::vector<float>& radii, std::optional<float> decided);
 

@@ -10,7 +10,7 @@ namespace {
 
 /// A direction's intersection with the cube of half edge 1.
 struct Place {
-    int side; ///< 2 axis, + 1 where it is negative
+    int side; ///< twice the axis, plus 1 where it is negative
     float u, v;
 };
 

@@ -10,9 +10,8 @@
 namespace pointrt {
 
 /// [points of the cloud], 1 for samples at a silhouette.
-///   - If the scanner was near (a station), only mixed pixels: the surface steps forward on one side of them and back
-///   on
-///     the other. Thin objects and rims that it saw are not flagged.
+///   - If the scanner was near (a station), only mixed pixels: the surface steps forward on one side and back on the
+///     other. Thin objects and rims that it saw are not flagged.
 ///   - If it was far away or is unknown, samples beside an empty cell (unless a depth camera measured the point,
 ///     Cloud::noise), and those from which the surface recedes 6 times as far along the line of sight as it extends
 ///     across it. In range scans of the Stanford Dragon these are 0.23 to 0.47 mm outside the surface, others less than

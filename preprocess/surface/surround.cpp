@@ -66,7 +66,7 @@ constexpr float kWidestGap = 2 * std::numbers::pi_v<float> / 3;
 /// Levels searched after the first one that spans a plane, for what fills the remaining gap: four times as far.
 constexpr std::size_t kMoreLevels = 2;
 
-/// Every 16th list is enough for shares of a hundredth and quantiles, of more points than these.
+/// In clouds of at least kManyPoints points, every 16th list is enough for shares of a hundredth and for quantiles.
 constexpr std::size_t kSampleStep = 16, kManyPoints = 16384;
 /// Of these, every fourth is probed.
 constexpr std::size_t kProbeStep = 4;
@@ -139,8 +139,8 @@ struct SurroundSearch {
     const ThinnedCloud& thinned;
     const std::vector<std::uint32_t>& isolated; ///< ThinnedCloud::findIsolated
     const std::vector<Suspicion>& suspicions;   ///< of the nearest neighbours
-    std::span<const std::uint8_t> found_before; ///< NeighborLists::thinned after the first round; empty in that
-    std::vector<std::uint32_t>& hopeless; ///< [points] set in the first round: bit n: at level n is not even a corner
+    std::span<const std::uint8_t> found_before; ///< NeighborLists::thinned after the first round; empty in the first
+    std::vector<std::uint32_t>& hopeless; ///< [points] set in the first round; bit n: level n does not even have a corner
     std::vector<std::optional<NearestCache>>& caches; ///< [levels] of this thread
     std::array<std::uint32_t, kExamined> found{};
     std::array<float, kExamined> squared{};

@@ -34,13 +34,13 @@ struct Thinning {
 Thinning thinningOf(SurroundCounts counts);
 
 /// Replaces the farther half of the lists of points whose nearest neighbours do not surround them because they are on a
-/// line, as in the sweep of a lidar, or in a clump, as in merged frames of a stationary sensor. In noisy clouds also
-/// those of points whose neighbours are in no plane, at the scale at which the points around are in one. Replacements
-/// come from thinned clouds with cells that double in width, in which a clump counts as one point, until they leave no
-/// gap of a third of a turn. At a border, where a gap remains at four times the distance, and in corners, takes points
-/// many of which have such lists themselves. Leaves lists for which there is no plane (a wire), those on a line that
-/// stands across the plane of the points around (posts, and trunks that several beams of a lidar have met), and those
-/// at borders of even samplings. Sets thinned and the spacings of these lists. Does nothing for fewer than 8
+/// line, as in the sweep of a lidar, or in a clump, as in merged frames of a stationary sensor. In noisy clouds, also
+/// replaces those of points whose neighbours are in no plane, at the scale at which the points around are in one.
+/// Replacements come from thinned clouds with cells that double in width, in which a clump counts as one point, until
+/// they leave no gap of a third of a turn. At a border, where a gap remains at four times the distance, and in corners,
+/// takes points many of which have such lists themselves. Leaves lists for which there is no plane (a wire), those on a
+/// line that stands across the plane of the points around (posts, and trunks that several beams of a lidar have met),
+/// and those at borders of even samplings. Sets thinned and the spacings of these lists. Does nothing for fewer than 8
 /// neighbours.
 /// @param thinning finest_cells in the unit of the points; 0: replaces no list
 void surroundNeighborhoods(NeighborLists& lists, const PointSet& points, const NearestSearch& nearest,

@@ -21,9 +21,8 @@ enum class Suspicion : std::uint8_t {
 /// of momentsOf.
 Moments quickMoments(const NeighborLists& lists, const PointSet& points, std::size_t point);
 
-/// Whether points are on a line: they spread so much further along it than across that (b + c) a / (a + b + c)^2 is
-/// below 0.139, for eigenvalues a >> b, c of the covariance: 1 in 5 for (b + c) / a. Random neighbours on a surface
-/// form such a list in 1 of 250 cases.
+/// Whether points are on a line: for eigenvalues a >> b, c of their covariance, (b + c) a / (a + b + c)^2 is below
+/// 0.139, so that (b + c) / a is below 1/5. Random neighbours on a surface form such a list in 1 of 250 cases.
 bool isOnLine(const Moments& moments);
 
 /// The largest number of nearest neighbours in a clump.
@@ -36,7 +35,7 @@ Suspicion suspicionOf(const NeighborLists& lists, const PointSet& points, std::s
 bool isInNoPlane(const NeighborLists& lists, const PointSet& points, std::size_t point, float misfit);
 
 /// Whether the neighbours of a point are on one side of it: their mean is as far off as in half a disc (0.42 radii),
-/// but for chance. Of random neighbours all around, 1 list in 50 is.
+/// but for chance. One in 50 lists of random neighbours all around is one-sided.
 bool isOneSided(const NeighborLists& lists, const PointSet& points, std::size_t point);
 
 } // namespace pointrt::surface

@@ -16,7 +16,7 @@ struct BoxPoints {
     /// in a bake of all files at once.
     Cloud cloud;
     std::vector<std::uint8_t> core; ///< [points], 1: in the core of the given tile
-    /// from SurfaceDecisions::silhouettes
+    /// For SurfaceDecisions::silhouettes.
     std::vector<std::uint8_t> silhouettes;
     /// The plan's sides within the box, relative to cloud.origin.
     std::vector<Vec3f> side_positions, side_normals;

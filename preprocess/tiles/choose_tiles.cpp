@@ -181,7 +181,7 @@ struct Splitter {
     }
 };
 
-/// Points per block, so that a country of 10^11 points has no more jobs than workflow engines handle.
+/// Groups tiles into blocks, so that a country of 10^11 points has no more jobs than workflow engines handle.
 void chooseBlocks(const TileChoice& choice, SetPlan& plan) {
     constexpr std::uint64_t kTilesEach = 4, kMostBlocks = 2000;
     const std::uint64_t points = std::max(kTilesEach * choice.points_per_tile, plan.points / kMostBlocks + 1);

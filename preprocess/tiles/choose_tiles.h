@@ -15,10 +15,10 @@ struct TileChoice {
 };
 
 /// Fills in the plan's lattice, levels, tiles, blocks and point counts from the counts of all points in cells whose
-/// edge is a power of two. Splits cells with more than one and a half times points_per_tile. Makes no tiles for strays,
-/// few points a hundred times as far off as 99% of all, unless they are to be kept. There are at most 2,000 blocks, of
-/// at least four tiles' points each. Throws Error (kCannotRun, without the input's name) if points lie too close
-/// together to be split.
+/// edge is a power of two. Splits cells with more than one and a half times points_per_tile. Makes no tiles for strays
+/// (small groups of points a hundred times as far off as 99% of all), unless they are to be kept. There are at most
+/// 2,000 blocks, of at least four tiles' points each. Throws Error (kCannotRun, without the input's name) if points lie
+/// too close together to be split.
 void chooseTiles(std::vector<CountedCell> cells, double edge, const TileChoice& choice, SetPlan& plan);
 
 } // namespace pointrt

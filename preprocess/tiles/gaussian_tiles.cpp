@@ -17,7 +17,7 @@
 namespace pointrt {
 namespace {
 
-/// Gaussians sampled for the up direction, twice what the search for it places on them.
+/// Gaussians sampled for the up direction: twice the number of discs that surfaceOfGaussians places on them.
 constexpr std::size_t kSampled = 1 << 16;
 
 constexpr std::uint32_t kRotationComponents = 4;

@@ -116,7 +116,7 @@ void thin(surface::NoiseSamples& samples, double wanted) {
     }
 }
 
-/// @param noise_samples to keep: as many as the place has points of all
+/// @param noise_samples number to keep: the place's share of those of all places
 void measurePlace(CutCloud&& part, const SurfaceOptions& options, std::optional<float> common_reach,
                   double noise_samples, const PlaceResult& result) {
     SurfaceDecisions decided;

@@ -30,7 +30,7 @@ Vec3f turnedTo(const Vec3f& normal, const Vec3f& side, bool oriented) {
     return !oriented && normal.dot(side) < 0 ? Vec3f(-normal) : normal;
 }
 
-/// Area-weighted means, the sum of squared radii, and the area-weighted mean of that sum over a member's others.
+/// Area-weighted means, the sum of squared radii, and the area-weighted mean over the members of the others' sum.
 struct Means {
     Vec3f position, normal;
     float squares = 0, others = 0;

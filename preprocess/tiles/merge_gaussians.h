@@ -29,8 +29,8 @@ std::vector<double> mergeShares(std::span<const GaussianMoments> members);
 /// side or one behind another, whichever is less.
 GaussianMoments mergeMoments(std::span<const GaussianMoments> members, std::span<const double> shares);
 
-/// Does what mergeSplats does, for children with the attributes of Gaussians (gaussian_tiles.h). Members are grouped as
-/// their discs would be there; giants, which would swallow what lies in front of them, are not merged.
+/// Does what mergeSplats does, for children with the attributes of Gaussians (gaussian_tiles.h). Groups members as
+/// mergeSplats would group their discs; giants, which would swallow what lies in front of them, are not merged.
 TileSplats mergeGaussians(const TileKey& parent, std::vector<MergeChild> children, const std::vector<Attribute>& schema,
                           double edge, std::uint64_t tile_splats);
 

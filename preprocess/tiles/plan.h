@@ -21,7 +21,7 @@ namespace pointrt {
 /// Half-open, input coordinates: low <= position < high.
 using PlanBox = Eigen::AlignedBox3d;
 
-/// A tile of original points: a cube of edge plan.edge * 2^level, at that many edges from plan.lattice_origin.
+/// A tile of original points: a cube of edge plan.edge * 2^level; cell counts such edges from plan.lattice_origin.
 struct PlanTile {
     std::uint32_t level = 0;
     std::array<std::int32_t, 3> cell{}; ///< not negative

@@ -206,8 +206,8 @@
 #define PRO_MAT_SHININESS 5u    /* Phong exponent, 1 to 1000 */
 
 /*
- * GAUS: four words per splat, the Gaussian in its place. Its opacity at a point is its own times exp(-d^2 / 2), where d
- * is the distance from its mean in standard deviations.
+ * GAUS: four words per splat, the Gaussian in its place. Its opacity at a point is `opacity` times exp(-d^2 / 2), where
+ * d is the distance from its mean in standard deviations.
  *   word 0  rotation a | rotation b << 12 | largest component << 24 | residual x << 26
  *   word 1  rotation c | deviation of axis 0 << 12 | residual y << 24 | low 2 bits of opacity << 30
  *   word 2  deviation of axis 1 | deviation of axis 2 << 12 | high 8 bits of opacity << 24
@@ -267,7 +267,7 @@
 #define PRO_GAUSSIAN_LISTED_MAX 0x7FFFFFFFu /* maximum number of nodes, and of entries of GLST */
 
 /*
- * GEXA: nine words per record, in increasing order of the Gaussian. They take the place of what GAUS rounds.
+ * GEXA: nine words per record, in increasing order of the Gaussian. They replace the rounded values of GAUS.
  *   word 0     Gaussian
  *   words 1-4  float, rotation w x y z: of unit length
  *   words 5-7  float, deviation of axes 0 to 2

@@ -48,7 +48,7 @@ bool areSplats(std::string_view bytes, std::size_t first_of) {
     return bytes.size() % sizeof(Record) == 0 && 2 * plausible > count;
 }
 
-/// Random bytes look like a record in a few cases of a hundred.
+/// Random bytes look like a record in a few cases out of a hundred.
 bool isSplatStart(std::string_view bytes) {
     constexpr std::size_t kTelling = 64;
     return bytes.size() >= kTelling * sizeof(Record) && areSplats(bytes, kTelling);

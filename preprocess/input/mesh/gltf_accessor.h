@@ -11,7 +11,7 @@ namespace pointrt {
 class GltfAccessor {
 public:
     /// The accessor that a value names by its index; valid as long as the file. Throws Error if it is sparse, has no
-    /// data, has another number of components than one of the two wanted, or reaches beyond its buffer view.
+    /// data, has neither of the two wanted numbers of components, or reaches beyond its buffer view.
     GltfAccessor(const GltfFile& file, const JsonValue& index, int components, int or_components = 0);
 
     std::uint64_t count() const { return count_; }

@@ -25,10 +25,10 @@ struct MeshSampling {
     std::uint64_t points = 0; ///< over the faces of all of these; 0: no mesh is sampled
 };
 
-/// Given a number, samples all meshes with that many points, or none if it is 0. Without a number, selects the meshes
-/// whose discs would stand off their faces, with a note for each: twice as many points as a picture of them has pixels,
-/// 100,000 to a million; meshes of more than half a million vertices are not sampled. Meshes with textures are, since
-/// their vertices would lose most of the pictures. cloud.normals must hold a normal per vertex (addMeshNormals).
+/// Given a number, samples all meshes with that many points, or none if it is 0. Without a number, selects, with a note
+/// for each, meshes whose discs would stand off their faces and meshes with textures, since vertices would lose most of
+/// the pictures. Takes about twice as many points as a picture of the meshes has pixels, 100,000 to a million; meshes
+/// of half a million vertices or more are not sampled. cloud.normals must hold a normal per vertex (addMeshNormals).
 MeshSampling chooseSampling(Cloud& cloud, const std::vector<ScanRange>& scans, std::optional<std::uint64_t> count,
                             const MeshPaint& paint = {});
 

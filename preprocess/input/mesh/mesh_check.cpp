@@ -25,14 +25,14 @@ constexpr double kRadiusOverEdge = 0.8;
 /// the diagonal 420 pixels long.
 constexpr double kStandOff = 1 / 420.0;
 
-/// Samples along a diagonal, three to two such pixels, as far as the total number allows; one per pixel would leave
-/// ragged edges.
+/// Samples along a diagonal, three for every two such pixels, as far as the total number allows; one per pixel would
+/// leave ragged edges.
 constexpr double kSamplesAcross = 630;
 constexpr double kLeastSamples = 100'000, kMostSamples = 1'000'000;
 /// Fewer samples would lose detail of the vertices.
 constexpr double kSamplesPerVertex = 2;
 
-/// Faces that use less than this share of the vertices do not make a file a mesh.
+/// Faces that use fewer than one in this many vertices do not make a file a mesh.
 constexpr std::size_t kFewFaces = 10;
 
 /// Flags points that a face uses and, in meshes that are not sampled, corners of removed faces.

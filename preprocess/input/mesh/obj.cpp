@@ -211,7 +211,7 @@ void addPolygons(const Model& model, Sink& sink) {
     }
 }
 
-/// "v" or "vn" and a number; lines before may be others.
+/// "v" or "vn" and a number; other lines may come before.
 bool isVertexLine(std::string_view line, bool) {
     const std::string_view word = nextWord(line);
     double value = 0;

@@ -10,8 +10,8 @@
 
 namespace pointrt {
 
-/// Decodes a picture. Throws Error "NAME: reason" if it is malformed, of another format, or has more than 256 MiB plus
-/// 192 times its file's size of pixels.
+/// Decodes a picture. Throws Error "NAME: reason" if it is malformed, of another format, or has more bytes of pixels
+/// than 256 MiB plus 192 times its file's size.
 Picture readPicture(const InputFile& file);
 
 /// Reads the picture that an input names, from the input's folder, and adds it to the sink's paint. Returns its index

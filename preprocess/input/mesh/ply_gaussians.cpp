@@ -238,7 +238,7 @@ std::vector<Chunk> readChunks(PlyBody<Values>& body, const PlyElement& element, 
     return chunks;
 }
 
-/// Reads the view-dependent colours of packed splats, which follow these in an element of their own, alongside.
+/// Reads the view-dependent colours of packed splats together with these, although they are in a later element.
 template <typename Values>
 class PackedHarmonics {
 public:

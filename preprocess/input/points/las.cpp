@@ -80,8 +80,8 @@ bool isAirborne(const Sink& sink, const LasCrs& crs) {
 
 } // namespace
 
-/// Up is z in all coordinate systems of LAS files but geocentric ones. Without a coordinate system that is a custom:
-/// programs also export rooms in the y-up frame of a phone or a game.
+/// Up is z in all coordinate systems of LAS files but geocentric ones. Without a coordinate system that is only a
+/// convention: programs also export rooms in the y-up frame of a phone or a game.
 void setLasFrame(const LasCrs& crs, const InputFile& input, Sink& sink) {
     WorldFrame frame;
     if (crs.kind != LasCrs::Kind::kGeocentric) frame.up = Vec3d::UnitZ();
@@ -157,7 +157,7 @@ std::vector<LazChunk> allLasChunks(const LasFile& file, const LazLayout& layout)
 namespace {
 
 /// Whether both size and bounds contradict the header of uncompressed points: a transfer that converted line ends
-/// shifts all bytes behind them. If only one contradicts it, the header may just be wrong.
+/// shifts all bytes after them. If only one contradicts it, the header may just be wrong.
 bool isBeyondHeader(const LasFile& file, const Sink& sink) {
     const LasHeader& header = file.header;
     const std::uint64_t end = header.point_offset + header.point_count * header.record_bytes;
@@ -180,7 +180,7 @@ bool isBeyondHeader(const LasFile& file, const Sink& sink) {
     return false;
 }
 
-/// Reads points with all attributes, and the frame from the header and records. From a COPC file only nodes that
+/// Reads points with all attributes, and the frame from the header and records. Of a COPC file, reads only nodes that
 /// overlap the filter's bounds and are no finer than the sink's level.
 void readLas(const InputFile& input, Sink& sink) {
     LasFile file = openLasInput(input, sink);

@@ -14,9 +14,9 @@ struct SalvagedLas {
     std::string fault; ///< of the first chunk that is not whole; "" if all are
 };
 
-/// Decompresses point by point and calls use for blocks of those before the first malformed one of each chunk. Leaves
-/// out points right before it that are outside the header's bounds, as bytes beyond the last point decode to arbitrary
-/// values.
+/// Decompresses point by point and calls use with blocks of the points before the first malformed one of each chunk.
+/// Leaves out points just before it that are outside the header's bounds, as bytes beyond the last point decode to
+/// arbitrary values.
 SalvagedLas salvageLas(const LasPlan& plan, const std::function<void(const LasBlock&)>& use);
 
 } // namespace pointrt

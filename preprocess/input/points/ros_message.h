@@ -9,7 +9,7 @@ namespace pointrt {
 /// How a message is written: by ROS 1, without padding, or by ROS 2, as CDR.
 enum class RosEncoding { kRos1, kCdr };
 
-/// Takes the members of a message. CDR aligns numbers to their size, counted from behind its header of 4 bytes.
+/// Takes the members of a message. CDR aligns numbers to their size, counted from the end of its header of 4 bytes.
 struct RosMessage {
     ByteCursor bytes;
     RosEncoding encoding;

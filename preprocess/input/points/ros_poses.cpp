@@ -9,7 +9,7 @@ namespace {
 /// Poses are valid this long before the first and after the last pose of a frame: for one rotation of a lidar at 10 Hz,
 /// whose cloud may be stamped at its start or its end.
 constexpr std::int64_t kReach_ns = 100'000'000;
-/// More poses than a day at 100 Hz has: a compressed recording may declare any number.
+/// About as many poses as a day at 100 Hz has: a compressed recording may declare any number.
 constexpr std::size_t kMostSamples = std::size_t{1} << 23;
 /// More frames than a robot has joints.
 constexpr std::size_t kMostFrames = 4096;
