@@ -93,7 +93,7 @@ void appendPosition(const ProFile& file, const pro_gaussian& gaussian, const Tur
     }
 }
 
-/// Half a turn about x multiplies a rotation by the quaternion of x.
+/// Half a turn about x multiplies a rotation by the quaternion i.
 void appendRotation(const pro_gaussian& gaussian, const Turn& turn, Arrays& arrays) {
     const double w = gaussian.rotation[0], x = gaussian.rotation[1], y = gaussian.rotation[2], z = gaussian.rotation[3];
     const std::uint32_t word = packRotation(turn.yz < 0 ? std::array{w, -z, y, -x} : std::array{x, y, z, w});

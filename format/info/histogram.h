@@ -22,7 +22,7 @@ struct Histogram {
     static constexpr std::size_t kBins = 16;
 };
 
-/// Over all components.
+/// The distribution of an attribute's values, over all components.
 /// @param count number of splats
 Histogram histogramOf(const pro_attribute& attribute, std::size_t count);
 

@@ -12,7 +12,7 @@ namespace pointrt {
 /// "1.5 KiB (1536 bytes)".
 std::string humanBytes(std::uint64_t bytes);
 
-/// With ten digits, which resolve millimetres in a national grid.
+/// Three numbers with ten digits each, which resolve millimetres in a national grid.
 std::string vectorText(const double v[3]);
 
 /// "x", "-z", or the vector if it is not along an axis.

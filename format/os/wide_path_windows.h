@@ -24,7 +24,7 @@ inline std::wstring widePath(const std::string& path) {
     return wide;
 }
 
-/// In UTF-8. Half characters, which Windows allows in names, become U+FFFD.
+/// The path in UTF-8. Unpaired surrogates, which Windows allows in names, become U+FFFD.
 inline std::string narrowPath(const std::wstring& wide) {
     const int units = static_cast<int>(wide.size());
     const int length = WideCharToMultiByte(CP_UTF8, 0, wide.data(), units, nullptr, 0, nullptr, nullptr);

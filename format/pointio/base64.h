@@ -10,7 +10,7 @@ namespace pointrt {
 
 std::string toBase64(std::string_view bytes);
 
-/// None if text does not have the form that toBase64 writes.
+/// nullopt if text does not have the form that toBase64 writes.
 std::optional<std::string> fromBase64(std::string_view text);
 
 } // namespace pointrt

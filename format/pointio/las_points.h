@@ -9,7 +9,7 @@
 
 namespace pointrt {
 
-/// With the layout of planLas. Throws Error kCannotRun if packed is set in a build without LAZ.
+/// Writes points with the layout of planLas. Throws Error kCannotRun if packed is set in a build without LAZ.
 std::unique_ptr<PointSink> lasPoints(PointFile file, const PointOutline& outline, bool packed);
 
 } // namespace pointrt

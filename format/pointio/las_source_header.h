@@ -29,7 +29,7 @@ struct LasSource {
     std::vector<Record> records;
 };
 
-/// None if the text is not as lasSourceHeader writes it.
+/// nullopt if the text is not as lasSourceHeader writes it.
 std::optional<LasSource> parseLasSource(std::string_view json);
 
 } // namespace pointrt

@@ -27,7 +27,7 @@ class BakeProgress {
 public:
     /// @param skipped stages that this bake does not run
     BakeProgress(Verbosity verbosity, ProgressStyle style, const std::vector<std::string_view>& skipped = {});
-    /// For other work. @param weights its stages in order
+    /// For work other than a bake. @param weights its stages in order
     BakeProgress(Verbosity verbosity, ProgressStyle style, std::vector<StageWeight> weights);
     ~BakeProgress();
 

@@ -20,7 +20,7 @@ inline constexpr const char* kGaussianDeviation = "gaussian_deviation";
 inline constexpr const char* kGaussianRotation = "gaussian_rotation";
 /// View-independent colour: red, green, blue, display-encoded, not clamped.
 inline constexpr const char* kGaussianColor = "gaussian_color";
-/// With a number from 1: factors of that spherical harmonic in red, green and blue (gaussianHarmonics).
+/// Followed by a number from 1: factors of that spherical harmonic in red, green and blue (gaussianHarmonics).
 inline constexpr std::string_view kGaussianHarmonicPrefix = "gaussian_harmonic_";
 
 /// Most harmonics of a Gaussian besides the constant one: those of degrees 1 to 3.

@@ -14,7 +14,7 @@ constexpr std::uint64_t mixBits(std::uint64_t state) {
     return state ^ (state >> 31);
 }
 
-/// In [0, 1), a multiple of 2^-53.
+/// The upper 53 bits as a number in [0, 1), a multiple of 2^-53.
 constexpr double unitShare(std::uint64_t bits) { return static_cast<double>(bits >> 11) * 0x1p-53; }
 
 } // namespace pointrt

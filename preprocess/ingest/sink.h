@@ -62,8 +62,8 @@ public:
     void beginScan(const InputFile& input, const ScanTraits& traits);
 
     /// Adds one vertex, given in the scan's frame. Drops and counts a position that is not finite, in double precision
-    /// or once rounded to float, or has a coordinate of 1e25 or more; likewise, counted apart, one that the filter
-    /// rejects.
+    /// or once rounded to float, or has a coordinate of 1e25 or more; also drops, and counts separately, one that the
+    /// filter rejects.
     /// @param values packed values of the traits' columns, in their types; null if there are no columns
     /// @return its index in the cloud (meaningful only if holdsScan()), or what a range grid stores for it:
     /// RangeGrid::kNoPoint if it is not finite, kFilteredOut if the filter rejects it

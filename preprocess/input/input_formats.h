@@ -20,7 +20,7 @@ struct InputFormat {
 /// Reads a file, and adds a note if levels of detail are requested and the format has none.
 void readInput(const InputFormat& format, const InputFile& input, Sink& sink);
 
-/// In the order of the list.
+/// All formats, in the order of the list.
 std::span<const InputFormat> inputFormats();
 
 /// Titles of all formats, for messages: "PLY, PCD and OBJ".

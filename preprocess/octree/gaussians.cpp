@@ -175,7 +175,7 @@ void packHarmonics(const GaussianCloud& cloud, std::size_t i, const pro_gaussian
     }
 }
 
-/// In cube units, as pro_gaussian_encode requires.
+/// A Gaussian in cube units, as pro_gaussian_encode requires.
 pro_gaussian inCube(const GaussianCloud& cloud, std::size_t i, const pro_info& frame) {
     pro_gaussian gaussian = gaussianAt(cloud, i);
     const Vec3d center = cubeCenter(cloud, i, frame);

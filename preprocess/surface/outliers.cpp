@@ -34,9 +34,9 @@ constexpr float kNoPlane = 0.15f;
 /// there. One in ten thousand caps of 17 random points and 0.4 radians is above.
 constexpr float kFarOut = 2, kNoPlaneFarOut = 0.1f;
 
-/// For points near a surface, below kFarTimes: height over the plane of the neighbours, over theirs, and distance to
-/// the k-th neighbour, over theirs. 1 in 80,000 points of a photogrammetric surface exceeds both, and three in four
-/// outliers within nine spacings of it.
+/// For points near a surface, below kFarTimes: the height over the neighbours' plane and the distance to the k-th
+/// neighbour, each divided by that of the neighbours. 1 in 80,000 points of a photogrammetric surface exceeds both
+/// limits, and so do three in four outliers within nine spacings of it.
 constexpr float kBesideHeight = 4, kBesideReach = 1.7f;
 
 struct OutlierJob {

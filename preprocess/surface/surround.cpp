@@ -140,7 +140,7 @@ struct SurroundSearch {
     const std::vector<std::uint32_t>& isolated; ///< ThinnedCloud::findIsolated
     const std::vector<Suspicion>& suspicions;   ///< of the nearest neighbours
     std::span<const std::uint8_t> found_before; ///< NeighborLists::thinned after the first round; empty in the first
-    std::vector<std::uint32_t>& hopeless; ///< [points] set in the first round; bit n: level n does not even have a corner
+    std::vector<std::uint32_t>& hopeless; ///< [points] set in the first round; bit n: level n has not even a corner
     std::vector<std::optional<NearestCache>>& caches; ///< [levels] of this thread
     std::array<std::uint32_t, kExamined> found{};
     std::array<float, kExamined> squared{};

@@ -16,7 +16,7 @@ public:
     /// below 0 and from 0 on have no common ancestor.
     explicit TileTree(const std::vector<TileKey>& originals);
 
-    /// In TileSet's order: highest level first.
+    /// All tiles, in TileSet's order: highest level first.
     const std::vector<TileKey>& tiles() const { return tiles_; }
     TileKey root() const { return tiles_.front(); }
     bool has(const TileKey& tile) const { return original_.contains(tile); }

@@ -18,7 +18,7 @@ struct GaussianDisc {
     bool is_flat = false; ///< the shortest axis is much shorter than the next one
 };
 
-/// All zero if the deviations are not finite.
+/// The disc of a Gaussian; all zero if the deviations are not finite.
 GaussianDisc discOf(const Gaussian& gaussian);
 
 /// readGaussianScan for a sink that wants discs: one for each Gaussian that is opaque enough and smaller than a sky,

@@ -62,7 +62,7 @@ RangesByFile rangesOf(const InputFile& input, const JsonValue& tree, std::uint64
     return ranges;
 }
 
-/// Without this, a few lines could request any amount of memory.
+/// Throws Error if ranges overlap: otherwise a few lines could request any amount of memory.
 void checkOverlap(const InputFile& input, const std::string& name, std::vector<SogRange>& ranges) {
     std::sort(ranges.begin(), ranges.end(), [](const SogRange& a, const SogRange& b) { return a.first < b.first; });
     for (std::size_t i = 1; i < ranges.size(); ++i)

@@ -11,7 +11,7 @@
 
 namespace pointrt {
 
-/// In the order of the file.
+/// The arrays in the order of the file.
 enum SpzArray {
     kSpzPositions,
     kSpzAlphas,

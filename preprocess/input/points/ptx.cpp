@@ -117,7 +117,7 @@ bool isMissing(std::string_view line) {
     return true;
 }
 
-/// The line of the first cell with a point, else that of the last cell: missing points may be written with fewer words.
+/// The line of the first cell with a point, else of the last cell: missing points may be written with fewer words.
 std::string_view firstPointLine(Lines lines, std::uint64_t cells) {
     std::string_view line;
     for (std::uint64_t i = 0; i < cells && lines.next(line); ++i)

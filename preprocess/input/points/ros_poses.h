@@ -13,7 +13,7 @@
 
 namespace pointrt {
 
-/// A frame placed in the frame nearest to the ground: a map, or the last one before it.
+/// A frame placed in the frame nearest to the ground: a map, or the last frame on the way to one.
 struct RosPlacement {
     Pose root_from_frame;
     std::string root;
@@ -31,7 +31,7 @@ public:
     /// To be called after the last message, before place().
     void sort();
 
-    /// None if nothing places the frame, or its poses do not cover that time.
+    /// The placement of a frame at a time; nullopt if nothing places the frame, or its poses do not cover that time.
     std::optional<RosPlacement> place(const std::string& frame, std::int64_t time_ns) const;
 
 private:
