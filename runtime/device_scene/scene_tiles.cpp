@@ -193,7 +193,7 @@ private:
             for (TileFile& file : tiles) destroyScan(device_, file.scan);
         };
         const OnError undo(close);
-        // in parallel if allowed, as opening a file reads all of it, to check it
+        // in parallel if allowed, since opening a file reads and checks all of it
         if (request_.on_all_cores) forAll(tiles.size(), [&](std::size_t i) { openTile(set, tiles[i]); });
         bool found = true;
         for (TileFile& file : tiles) {

@@ -23,7 +23,7 @@ struct FrameBuffers {
     std::uint64_t device_bytes = 0;
 };
 
-/// Largest number of samples, of parts of a band, in one submission.
+/// Limit for the samples in one submission; each part of a band counts separately.
 constexpr std::uint32_t kSamplesAtOnce = 64;
 
 /// Number of tiles of TILE_SIDE x TILE_SIDE pixels, the last ones padded, and of their lanes.

@@ -45,7 +45,7 @@ struct CullPrograms {
 /// All declare the same bindings in set 0 (shaders/lib/bindings.glsl), those for paged instances also in set 1.
 struct Programs {
     KernelForm form = KernelForm::kWavefront;
-    /// If false, the programs that only they need are not built.
+    /// If one is false, the programs that only it needs are not built.
     bool has_secondary_rays = true, has_direct_lighting = true;
     bool samples_one_light = false; ///< at each hit, instead of every light
     bool one_bounce = false;        ///< a megakernel traces one bounce per dispatch
@@ -66,7 +66,7 @@ struct Programs {
 
 /// Builds the programs that the scene needs for the settings' integrator, in the requested form if possible.
 Programs createPrograms(Device& device, const DeviceScene& scene, const RenderSettings& settings, FormRequest form);
-/// After the scene's instances have changed: builds the programs that they need in addition.
+/// Call after the scene's instances have changed: builds the additional programs that they need.
 void addPrograms(Device& device, const DeviceScene& scene, const RenderSettings& settings, Programs& programs);
 void destroyPrograms(Device& device, Programs& programs);
 

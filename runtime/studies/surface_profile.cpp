@@ -102,7 +102,7 @@ struct OpenRay {
     double z;
 };
 
-/// All surfaces along the rays of these stations, or with one layer the first ones.
+/// All surfaces along the rays of these stations; with one layer, only the first.
 void castLayers(const VerticalRays& rays, std::span<const Station> stations, std::uint32_t layers, double apart,
                 std::vector<ProfilePoint>& points) {
     std::vector<std::vector<ProfilePoint>> found(stations.size());
