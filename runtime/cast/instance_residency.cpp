@@ -214,7 +214,7 @@ std::optional<PaintedSplats> InstanceResidency::filtered(const CastInstance& ins
     const InstanceRun& run = list_.scene_instances[instance.scene_instance];
     InstanceDescription described;
     described.placement = instance.placement;
-    constexpr Vec3 kDefaultUp{0, 1, 0}; // as everywhere
+    constexpr Vec3 kDefaultUp{0, 1, 0}; // as in pictures
     const Vec3 up = run.up ? *run.up : knownUp(scan, instance.placement).value_or(kDefaultUp);
     SplatPaint paint;
     paint.selections = selectionsOf({&scan, &described}, run.filters, up);

@@ -47,7 +47,7 @@ struct FilmRoom {
     std::uint32_t samples = 1; ///< per pixel
 };
 
-/// Layers of a film: those of one batch of samples, twice that if there may be earlier batches.
+/// The number of layers of a film: those of one batch of samples, twice as many if there may be earlier batches.
 std::uint32_t filmLayers(std::uint32_t samples);
 
 /// Which Gaussians rays may pass through: none, those of one instance, or of several.

@@ -72,8 +72,8 @@ void destroyPrograms(Device& device, Programs& programs);
 
 const InstancePrograms& programsFor(const Programs& programs, const DeviceScene& scene, const Instance& instance);
 
-/// Descriptor sets with the buffers of an instance (and its pages if it has any), of the frame, of the caustics and
-/// cull boxes, for all programs and those of the instance. They take two sets of the pool.
+/// Descriptor sets with the buffers of an instance (and its pages if it has any), the frame, the caustics and the cull
+/// boxes, for all programs including the instance's own. They take two sets of the pool.
 DescriptorSets bindInstance(Device& device, VkDescriptorPool pool, const Programs& programs, const DeviceScene& scene,
                             const Instance& instance, const FrameBuffers& buffers, const CausticMap& caustics,
                             const Buffer& cull_boxes);
