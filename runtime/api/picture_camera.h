@@ -7,8 +7,8 @@
 
 namespace pointrt {
 
-/// request: the request that loaded was loaded for; its camera supplies what a LookAt leaves out. Throws Error
-/// kBadUsage for invalid cameras and those more than 10000 scene radii away.
+/// request: the one that `loaded` was loaded for; its camera supplies what a LookAt leaves out. Throws Error kBadUsage
+/// for invalid cameras and those more than 10000 scene radii away.
 Camera sceneCamera(const PictureCamera& camera, const LoadedScene& loaded, const LoadRequest& request, PixelSize size);
 
 } // namespace pointrt

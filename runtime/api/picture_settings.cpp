@@ -17,7 +17,7 @@ namespace pointrt {
 namespace {
 
 constexpr std::string_view kDashes = "--";
-/// Options outside the table of settings that pictures in memory support too.
+/// Options that pictures in memory support although the table of settings lacks them.
 constexpr std::string_view kOtherOptions[] = {"--up", "--memory", "--clip", "--only", "--section", "--ortho", "--sun"};
 constexpr const char* kStagedFor = "--staged-for";
 /// Settings that only affect 8-bit files, or that are arguments of render().
@@ -45,7 +45,7 @@ bool takeTableSetting(const std::string& option, const std::string& text, Option
     return found;
 }
 
-/// The values of an option that repeats, separated by spaces.
+/// The values of an option that can be repeated, separated by spaces.
 std::vector<std::string> words(const std::string& text) {
     std::istringstream stream(text);
     return {std::istream_iterator<std::string>(stream), {}};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Errors of the viewer name command line options; callers of the library know settings.
+// The viewer's errors name command line options; callers of the library know them as settings.
 #pragma once
 
 #include <string>
@@ -8,8 +8,8 @@
 
 namespace pointrt {
 
-/// The message with options named as settings: "color_map: needs color_by" for "--color-map: needs --color-by". Dashes
-/// within a word, as in a file's name, stay.
+/// The message with options named as settings: "color_map: needs color_by" for "--color-map: needs --color-by". Keeps
+/// dashes within a word, such as a file's name.
 std::string withSettingNames(const std::string& message);
 
 /// Returns act(). Rethrows Error with withSettingNames.

@@ -31,10 +31,10 @@ struct InstanceSet {
     TileSet set;
     std::vector<std::uint32_t> tiles; ///< its original tiles, ascending
     std::vector<TileBox> cores;       ///< the box that each tile's hits are clipped to
-    std::vector<TileBox> boxes;       ///< a box around each tile's discs within its core, which may be much smaller
+    std::vector<TileBox> boxes;       ///< a box around each tile's discs within its core, perhaps much smaller
 };
 
-/// A .pro, however many instances it has.
+/// A .pro file; has one entry, however many instances it has.
 struct InstanceFile {
     std::string path;
     std::uint32_t set = 0; ///< for a tile: its set, in InstanceList::sets
@@ -43,11 +43,12 @@ struct InstanceFile {
     std::vector<std::uint32_t> instances; ///< in InstanceList::instances
 };
 
-/// The consecutive instances of one instance of the scene: one, or those of a set in the order of its tiles.
+/// The consecutive CastInstances of one instance of the scene: a single one, or for a set one per tile, in the order of
+/// its tiles.
 struct InstanceRun {
     std::uint32_t first = 0, count = 0;
     std::optional<std::uint32_t> set; ///< in InstanceList::sets
-    std::vector<HalfSpace> kept;      ///< half-spaces that clips keep of it; empty: all of it
+    std::vector<HalfSpace> kept;      ///< half-spaces that clips keep; empty: not clipped
     std::vector<FilterDescription> filters;
     std::optional<Vec3> up; ///< up direction for heights; none: the scan's
 };
@@ -60,7 +61,7 @@ struct InstanceList {
     std::vector<ShapeDescription> shapes; ///< from scene files
 };
 
-/// The number in list.instances of a scene instance, or of one of its tiles if it is a set. Nullopt if there is none.
+/// The index in list.instances of a scene instance, or of one of its tiles if it is a set. Nullopt if there is none.
 std::optional<std::uint32_t> findInstance(const InstanceList& list, std::uint32_t scene_instance, std::uint32_t tile);
 
 } // namespace pointrt

@@ -22,7 +22,7 @@ struct CastKind {
     auto operator<=>(const CastKind&) const = default;
 };
 
-/// Both declare the same bindings.
+/// The programs for first hits and for occlusion, which declare the same bindings.
 struct CastPair {
     Program first_hit, any_hit;
 };
@@ -35,7 +35,7 @@ public:
     CastPrograms(const CastPrograms&) = delete;
     CastPrograms& operator=(const CastPrograms&) = delete;
 
-    /// Throws Error kCannotRun if the driver cannot build one.
+    /// Throws Error kCannotRun if the driver cannot build a program.
     const CastPair& of(const CastKind& kind);
 
 private:

@@ -12,7 +12,7 @@
 namespace pointrt {
 namespace {
 
-/// Rays per task of a thread for steps that take little time per ray.
+/// Rays per task, for steps that take little time per ray.
 constexpr std::size_t kFewRays = 1u << 14;
 
 /// Calls work(i) for i < count on all cores.
@@ -102,7 +102,7 @@ void CastRounds::begin(std::size_t i) {
 /// Converts t to lengths of the ray's own direction.
 void CastRounds::finish(std::size_t i) { hits_[i].t /= scaledRay(request_.rays, first_ + i).size; }
 
-/// Sorted by instance.
+/// The queues of waiting rays, sorted by instance.
 std::vector<CastRounds::Queue> CastRounds::queuesOf(const std::vector<std::uint32_t>& waiting) {
     std::vector<Queue> queues;
     for (const std::uint32_t ray : waiting)
@@ -112,7 +112,7 @@ std::vector<CastRounds::Queue> CastRounds::queuesOf(const std::vector<std::uint3
     return queues;
 }
 
-/// The instances with the longest queues first.
+/// Loads the instances with the longest queues first.
 void CastRounds::loadFor(std::vector<Queue> queues) {
     std::stable_sort(queues.begin(), queues.end(), [](const Queue& a, const Queue& b) { return a.count > b.count; });
     std::vector<std::uint32_t> instances;
@@ -169,7 +169,7 @@ void CastRounds::traceChunk(CastSlot& slot, std::span<const std::uint32_t> rows,
     for (std::size_t row = 0; row < rows.size(); ++row) finishStep(slot, rows[row], row);
 }
 
-/// Takes the hit of a ray in its current instance and finds its next one.
+/// Takes the hit of a ray in its current instance and finds the ray's next instance.
 void CastRounds::finishStep(CastSlot& slot, std::uint32_t i, std::size_t row) {
     RayHit& hit = hits_[i];
     BoxEntry& entry = entries_[i];

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Traces rays from instance to instance. Each ray visits the instances whose boxes it enters, nearest first, until it
-// has a hit before the next box begins. Rays that wait for the same instance are traced together. So each ray visits
-// few instances, however many there are. Instances that are not resident are loaded in the order of the number of rays
+// has a hit before the next box begins. Thus each ray visits few instances, however many there are. Rays that wait for
+// the same instance are traced together. Instances that are not resident are loaded in the order of the number of rays
 // that wait for them.
 #pragma once
 
@@ -56,8 +56,8 @@ private:
     CastScene scene_;
     CastRequest request_;
     std::size_t first_;
-    std::vector<RayHit> hits_;      ///< so far; t in lengths of the scaled direction, for a miss the end of the ray
-    std::vector<BoxEntry> entries_; ///< the next box of each ray
+    std::vector<RayHit> hits_;           ///< so far; t in lengths of the scaled direction, for a miss the ray's end
+    std::vector<BoxEntry> entries_;      ///< the next box of each ray
     std::vector<std::uint32_t> waiting_; ///< number of rays that wait for each instance; 0 between calls
 };
 

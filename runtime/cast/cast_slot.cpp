@@ -99,7 +99,7 @@ void traceRows(CastSlot& slot, CastPrograms& programs, const ResidentInstance& i
 void traceSlot(CastSlot& slot, CastPrograms& programs, std::span<const CastRun> runs, bool any_hit) {
     const SetPool pool(slot.device, runs.size());
     const VkCommandBuffer commands = beginCommands(slot.device, "cast rays");
-    for (const CastRun& run : runs) { // each writes its own rows: no barriers
+    for (const CastRun& run : runs) { // each run writes its own rows, so no barriers are needed
         const CastPair& pair = programs.of({run.instance->traits, RayForm::kPacked});
         const gpu::CastPush push{run.count, run.first, 0, 0};
         recordDispatch(commands, any_hit ? pair.any_hit : pair.first_hit,

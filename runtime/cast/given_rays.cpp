@@ -43,7 +43,7 @@ void putMisses(CastSlot& slot, std::size_t count, bool any_hit) {
 } // namespace
 
 bool takesGiven(const Device& device, const ResidentInstance& instance) {
-    // they start at the sphere around the cube, and there may be Gaussians in front of it
+    // given rays start at the sphere around the cube, and Gaussians may lie in front of it
     const bool is_in_sphere = !instance.scan->reaches_out;
     return device.doubles && instance.in_cube && is_in_sphere && !isPaged(instance.traits.pages);
 }

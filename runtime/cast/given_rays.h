@@ -16,8 +16,8 @@ namespace pointrt {
 /// and each of its buffers has one page.
 bool takesGiven(const Device& device, const ResidentInstance& instance);
 
-/// A caller's rays for programs to read: imported from the caller's memory if the device can, otherwise copied to the
-/// slot of each chunk.
+/// A caller's rays for programs to read: imported from the caller's memory if the device can do that, otherwise copied
+/// to the slot of each chunk.
 class GivenRays {
 public:
     /// @param rays must outlive this, unchanged

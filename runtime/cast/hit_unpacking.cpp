@@ -70,7 +70,8 @@ void requireSizes(const HitArrays& arrays, std::size_t count) {
     requireSize(arrays.tile_ids.size(), count, "tile_ids");
 }
 
-/// The nearest disc was found with the quantised discs of cells; the exact disc may be hit slightly beyond a limit.
+/// The device finds the nearest disc among the quantised discs of cells; the exact disc may be hit slightly beyond a
+/// limit.
 RayHit hitOf(const gpu::CastHit& found, std::uint32_t instance, const RayStart& start, const RayLimits& limits,
              const RayHit& otherwise) {
     if (found.splat == NO_INDEX) return otherwise;

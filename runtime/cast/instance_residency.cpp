@@ -52,7 +52,7 @@ Bounds boxOf(const DeviceScan& scan, const Placement& placement) {
     return placedBounds(placement, box);
 }
 
-/// Whether the rows are the unit matrix.
+/// Whether the rows are the identity matrix.
 bool isUnit(const gpu::InstanceParams& params) {
     const auto is = [](const gpu::vec4& row, float x, float y, float z) {
         return row.x == x && row.y == y && row.z == z && row.w == 0;
@@ -143,7 +143,7 @@ void InstanceResidency::makeRoom(const std::vector<std::uint32_t>& coming) {
         if (!evictOldest()) return;
 }
 
-/// False if no tile is resident.
+/// Evicts the least recently used tile. False if no tile is resident.
 bool InstanceResidency::evictOldest() {
     const auto oldest = resident_.leastRecentlyUsed([](std::uint32_t) { return true; });
     if (oldest) evict(files_[*oldest]);
@@ -155,7 +155,7 @@ void InstanceResidency::loadFiles(const std::vector<std::uint32_t>& files) {
     const OnError undo([&] {
         for (DeviceScan& scan : scans) destroyScan(device_, scan);
     });
-    forAll(files.size(), [&](std::size_t k) { // in parallel, as opening a file reads all of it, to check it
+    forAll(files.size(), [&](std::size_t k) { // in parallel, since opening a file reads and checks all of it
         const InstanceFile& file = list_.files[files[k]];
         if (isTile(files[k])) {
             const InstanceSet& set = list_.sets[file.set];
@@ -209,12 +209,12 @@ void InstanceResidency::refuseTile(std::uint64_t bytes) const {
                 "one tile needs " + shown.size + " but the memory limit is " + shown.limit + "; raise it");
 }
 
-/// The splats of an instance that filters show; none: all.
+/// The splats of an instance that its filters show; nullopt: all of them.
 std::optional<PaintedSplats> InstanceResidency::filtered(const CastInstance& instance, const DeviceScan& scan) {
     const InstanceRun& run = list_.scene_instances[instance.scene_instance];
     InstanceDescription described;
     described.placement = instance.placement;
-    constexpr Vec3 kDefaultUp{0, 1, 0}; // as everywhere
+    constexpr Vec3 kDefaultUp{0, 1, 0}; // as in pictures
     const Vec3 up = run.up ? *run.up : knownUp(scan, instance.placement).value_or(kDefaultUp);
     SplatPaint paint;
     paint.selections = selectionsOf({&scan, &described}, run.filters, up);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The instances of a ray-cast scene on the device. Files stay resident. If memory does not hold all tiles, tiles are
-// loaded as rays need them and the least recently used are evicted.
+// The instances of a ray-cast scene on the device. Files stay resident. If the tiles do not all fit in memory, they are
+// loaded as rays need them, and the least recently used are evicted.
 #pragma once
 
 #include <atomic>
@@ -37,13 +37,13 @@ struct ResidentInstance {
 };
 
 class InstanceResidency;
-/// The splats of all scene instances; of tile sets the original ones, each once.
+/// The number of splats of all scene instances; for tile sets, the original splats, each once.
 std::uint64_t splatCount(const InstanceResidency& resident);
 
 /// Not thread-safe, except that const members may be called from several threads while no other member runs.
 class InstanceResidency {
 public:
-    /// Loads all files, and the tiles if all of them fit. Sets the boxes in list.
+    /// Loads all files, and the tiles if all of them fit. Sets the instances' boxes.
     /// @param device outlives this
     /// @param memory limit for the tiles, bytes in files and on the device
     /// Throws Error: kBadInput "FILE: reason"; kBadUsage if a tile exceeds the limit; kCannotRun if the device is too

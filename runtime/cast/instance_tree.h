@@ -25,7 +25,7 @@ struct BoxEntry {
     auto operator<=>(const BoxEntry&) const = default;
 };
 
-/// The box of an entry that means: no further box.
+/// BoxEntry::box if there is no further box.
 constexpr std::uint32_t kNoEntry = 0xFFFFFFFFu;
 /// Sorts before every entry.
 constexpr BoxEntry kBeforeAllEntries{-1, kNoEntry};

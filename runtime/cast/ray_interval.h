@@ -18,8 +18,8 @@ struct RayInterval {
     bool isEmpty() const { return !(from <= to); }
 };
 
-/// Clips the interval to the slab between two planes. For a ray parallel to them that is all or nothing. If it lies in
-/// one of them, 0 * inf is NaN, which min and max ignore with their arguments in this order.
+/// Clips the interval to the slab between two planes. For a ray parallel to the planes, that is all or nothing. If the
+/// ray lies in one of them, 0 * inf is NaN, which min and max ignore with their arguments in this order.
 inline void clipToSlab(RayInterval& interval, double origin, double inverse, double low, double high) {
     const double a = (low - origin) * inverse, b = (high - origin) * inverse;
     interval.from = std::max(interval.from, std::min(a, b));

@@ -16,7 +16,7 @@ Vec3 inverseOf(Vec3 v) { return {1 / v.x, 1 / v.y, 1 / v.z}; }
 
 constexpr gpu::CastRay kMissesAll{{0, 0, 0}, -1, {0, 0, 1}, 0};
 
-/// Packs valid rays whose directions have normal squares.
+/// Packs valid rays whose squared direction length is a normal number (std::isnormal).
 struct Packer {
     const RayFrame& frame;
     RayLimits limits;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// World rays packed for the device. Doubles until each ray starts at the box of what it may hit: from there floats are
+// Packs world rays for the device. Doubles move each ray's start to the box of what it may hit; from there floats are
 // precise enough, wherever on Earth the scan lies.
 #pragma once
 
@@ -27,7 +27,7 @@ RayRow rowAt(const RayRows& rays, std::size_t number);
 /// A ray with its direction rescaled if its square would under- or overflow.
 struct ScaledRay {
     Vec3 origin, direction;
-    double size = 1; ///< of the ray's direction in lengths of this one: t here is size times the ray's
+    double size = 1; ///< length of the ray's direction in lengths of this one: t here is size times the ray's t
 };
 /// Throws RayError if the ray is not finite or its direction is 0.
 ScaledRay scaledRay(const RayRows& rays, std::size_t number);

@@ -89,7 +89,7 @@ struct HitRow {
     std::size_t row = 0;
 };
 
-/// Rows sorted by instance, resident instances first, so that none is evicted before it was read.
+/// Rows sorted by instance, resident instances first, so that none is evicted before it is read.
 std::vector<HitRow> hitRows(const InstanceResidency& resident, const HitIds& ids) {
     std::vector<HitRow> rows;
     for (std::size_t i = 0; i < ids.splats.size(); ++i) {

@@ -10,7 +10,7 @@
 namespace pointrt {
 namespace {
 
-/// Two distances along a ray; infinite for none.
+/// Two distances along a ray; infinite: no hit.
 using Places = std::array<double, 2>;
 constexpr Places kNowhere{kInfinity, kInfinity};
 
@@ -41,7 +41,8 @@ Places meetBox(Vec3 origin, Vec3 direction) {
     return in.isEmpty() ? kNowhere : Places{in.from, in.to};
 }
 
-/// Relative to the ray's closest point to the centre, as in the shader: Haines et al., Ray Tracing Gems, chapter 7.
+/// Solves relative to the ray's closest point to the centre, as the shader does: Haines et al., Ray Tracing Gems,
+/// chapter 7.
 Places meetSphere(Vec3 origin, Vec3 direction) {
     const double inverse = 1 / dot(direction, direction), middle = -dot(origin, direction) * inverse;
     const Vec3 nearest = origin + middle * direction;

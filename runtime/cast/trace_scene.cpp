@@ -27,7 +27,7 @@ namespace {
 /// more; beyond four, slots only take memory.
 std::size_t slotCount() { return std::clamp(std::thread::hardware_concurrency(), 2u, 4u); }
 
-/// Rays traced from instance to instance at a time; each takes 52 bytes. More rays reload tiles less often.
+/// Rays traced from instance to instance at a time; each takes 52 bytes. Larger batches reload tiles less often.
 constexpr std::size_t kBatchRays = std::size_t{1} << 20;
 
 std::vector<ClipDescription> clipsOf(const SceneOptions& options) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Translates internal errors to those of the public library.
+// Translates internal errors into those of the public library.
 #pragma once
 
 #include "format/base/error.h"

@@ -60,7 +60,7 @@ private:
         const std::size_t bricks = std::size_t{index_.brick_count} * PRO_BRICK_WORDS;
         const bool exists = first >= bricks && (first - bricks) / PRO_GROUP_WORDS < index_.group_count;
         if (!exists || groups_left_ == 0) return;
-        --groups_left_; // each is named only once
+        --groups_left_; // each group is referred to only once
         for (std::uint32_t k = 0; k < PRO_GROUP_WORDS; ++k) addCell(index_.bricks[first + k], partOf(place, k, 2));
     }
 

@@ -18,8 +18,8 @@ struct CellTree {
     Buffer cells; ///< the centre and the edge of each, in grid units
 };
 
-/// The centre and the edge of each cell that an index names, in grid units; edge 0 for a cell that is not named.
-/// Indices out of range and groups in circles, in a damaged file, are skipped.
+/// The centre and the edge of each cell of an index, in grid units; edge 0 for a cell that the grid does not refer to.
+/// Skips out-of-range indices and cyclic groups of damaged files.
 std::vector<gpu::vec4> cellsOf(const pro_index& index);
 
 /// Whether the device can hold the tree of a scan with this many cells.
@@ -31,7 +31,7 @@ void destroyCellTree(Device& device, CellTree& tree);
 /// Bytes on the device.
 std::uint64_t bytesOf(const CellTree& tree);
 
-/// For set SET_PAGES.
+/// Bindings for descriptor set SET_PAGES.
 std::vector<BufferBinding> treeBindings(const CellTree& tree);
 
 } // namespace pointrt

@@ -11,7 +11,8 @@
 namespace pointrt {
 namespace {
 
-/// The half-space in the cube of an instance. In doubles: the two points may be far from the origin of the world.
+/// The half-space in the cube of an instance. Uses doubles, since the two points may be far from the origin of the
+/// world.
 gpu::vec4 inCube(const HalfSpace& kept, const Placement& placement, const pro_info& frame) {
     const Vec3 cube_origin = placed(placement, {frame.origin[0], frame.origin[1], frame.origin[2]});
     return pack(unrotated(placement, kept.normal),

@@ -38,7 +38,7 @@ private:
         return std::nullopt;
     }
 
-    /// Whether tiles of the cut cover a side of a cell that no coarser tile contains.
+    /// Whether tiles of the cut cover a side of a cell. The cell must lie in no coarser tile of the cut.
     bool isFilled(std::uint32_t level, const TileCell& cell, Side side) const {
         const auto tile = findTile(set_, level, cell);
         if (!tile) return false;

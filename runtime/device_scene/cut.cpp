@@ -59,7 +59,7 @@ double unseenFactor(const TileBox& core, const CutView& view) {
     return isInPicture(core, view) ? 1 : kUnseenPixelScale;
 }
 
-/// Whether clips remove all hits of a tile. Its discs may extend out of the core, by less than half an edge.
+/// Whether clips remove all hits of a tile. Its discs may extend beyond the core by less than half an edge.
 bool isCutAway(const TileBox& core, const std::vector<HalfSpace>& kept) {
     constexpr double reach = 0.5;
     TileBox around = core;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The level-of-detail cut of a tile set: the tiles that a picture is traced with. They cover the cloud once. All rays
-// of a picture use the same cut.
+// The level-of-detail cut of a tile set: the tiles that a picture is traced with. Together they cover the cloud exactly
+// once. All rays of a picture use the same cut.
 #pragma once
 
 #include <cstdint>
@@ -32,10 +32,10 @@ struct CutRequest {
     /// splats. 0 refines to the finest tiles; kMaxPixelSide or more accepts the root.
     double detail = RenderSettings{}.detail;
     std::uint64_t memory = 0;      ///< limit for the tiles, bytes; the root is exempt
-    std::uint32_t splat_bytes = 0; ///< per stored splat in addition to the file: paint, an index that must be built
+    std::uint32_t splat_bytes = 0; ///< bytes per stored splat besides the file: paint, an index that must be built
     /// For each tile outside every view: whether many secondary rays hit it; may be empty.
     std::vector<bool> hit_unseen;
-    /// Half-spaces that clips keep, in the set's coordinates: tiles outside are not refined; empty: no clips.
+    /// Half-spaces that clips keep, in the set's coordinates; tiles outside are not refined. Empty: no clips.
     std::vector<HalfSpace> kept;
     /// For each tile: whether it could not be opened, so that its parent replaces it; may be empty.
     std::vector<bool> missing;
@@ -47,10 +47,10 @@ struct TileCut {
     bool fits = true;                 ///< false: the memory limit left some tiles too coarse
 };
 
-/// Refines from the root down, always the tile with the largest screen-space error (of equals the lower number), until
-/// all errors are acceptable. Tiles whose children would exceed the memory limit are skipped. Coarser tiles that touch
-/// a tile are refined before it, so that neighbours differ by at most one level, except for original tiles, which have
-/// no children. The result depends on the arguments alone.
+/// Refines from the root down, always the tile with the largest screen-space error (the lower number if errors are
+/// equal), until all errors are acceptable. Tiles whose children would exceed the memory limit are skipped. Coarser
+/// tiles that touch a tile are refined before it, so that neighbours differ by at most one level, except for original
+/// tiles, which have no children. The result depends on the arguments alone.
 /// @param children childrenOf(set)
 TileCut chooseCut(const TileSet& set, const std::vector<std::vector<std::uint32_t>>& children,
                   const CutRequest& request);

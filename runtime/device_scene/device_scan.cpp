@@ -199,8 +199,8 @@ void uploadGaussians(Device& device, DeviceScan& scan, const pro_gaussians& gaus
     std::copy_n(gaussians.harmonic_max, 3, scan.harmonics_max.begin());
 }
 
-/// Whether programs read storage buffers in place of texels: on GPUs, if each buffer is a single page that can be bound
-/// as one. CPU devices read texels three times as fast.
+/// Whether programs read storage buffers instead of texel buffers: on GPUs, if each buffer is a single page that can be
+/// bound as one. CPU devices read texel buffers three times as fast.
 bool readsStorage(const Device& device, const DeviceScan& scan) {
     if (device.type == VK_PHYSICAL_DEVICE_TYPE_CPU || isPaged(scan.pages)) return false;
     const std::uint64_t most = device.limits.maxStorageBufferRange;
@@ -314,7 +314,7 @@ std::vector<BufferBinding> scanBindings(const DeviceScan& scan) {
     for (const ScanBuffer& each : kScanBuffers) {
         const Buffer& page = (scan.*each.buffer).pages[0];
         bindings.push_back({each.first, &page});
-        // what is not read is bound to the grid, which every device can bind
+        // bindings that are not read get the grid, which every device can bind
         bindings.push_back({each.stored, scan.reads_storage ? &page : &scan.grid_words});
     }
     return bindings;

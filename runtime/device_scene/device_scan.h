@@ -37,15 +37,15 @@ struct DeviceScan {
     Buffer grid_words;  ///< never needs pages (PRO_GRID_WORDS_MAX)
     PagedBuffer splats, brick_words, cells, slabs, near, listed, blending;
     PageCounts pages;           ///< of those buffers
-    bool reads_storage = false; ///< programs read storage buffers in place of texels
+    bool reads_storage = false; ///< programs read storage buffers instead of texel buffers
     bool queries_rays = false;  ///< rays find their cells by ray queries, not by the walk
     CellTree tree;              ///< the tree for those ray queries
-    TexelRange range;           ///< if it has a block, all buffers lie in it
+    TexelRange range;           ///< if range.block is set, all buffers lie in this range
     Buffer noise;               ///< a byte per splat; a blank texel if the scan has no noise
     bool noisy = false;
     bool is_gaussian = false; ///< holds Gaussians: the buffers have the contents of gaussian_layout.h, and no index
     TracedCube traced_cube;   ///< of GaussianBuffers
-    bool reaches_out = false; ///< whether some Gaussians extend out of traced_cube
+    bool reaches_out = false; ///< whether some Gaussians extend beyond traced_cube
     CubeBox gaussian_box;     ///< the box around them
     std::uint32_t harmonics_degree = 0;   ///< of the Gaussians' colours
     std::array<float, 3> harmonics_max{}; ///< their largest coefficients by degree
@@ -55,7 +55,7 @@ struct DeviceScan {
 /// Maps and validates a file; uploads nothing. The view of a file with an index has no octree. Throws Error kBadInput
 /// "FILE: reason".
 DeviceScan mapScan(const std::string& path);
-/// The same, for uploadScan: also maps the index of a file without one if the index is cached. Throws as mapScan and
+/// The same, for uploadScan: if the file has no index, also maps its cached index, if any. Throws as mapScan and
 /// userIndexCache do.
 DeviceScan mapTracedScan(const std::string& path);
 
@@ -70,7 +70,7 @@ struct ScanUpload {
 void uploadScan(Device& device, DeviceScan& scan, const ScanUpload& how);
 /// mapTracedScan and uploadScan, using all cores, with the tree for ray queries.
 DeviceScan loadScan(Device& device, const std::string& path, bool verbose);
-/// Blank buffers, for programs that must have some bound.
+/// Blank buffers, for programs whose bindings must not be empty.
 DeviceScan blankScan(Device& device);
 /// The buffers (the first page of paged ones) for the bindings of shaders/lib/bindings.glsl.
 std::vector<BufferBinding> scanBindings(const DeviceScan& scan);

@@ -22,7 +22,7 @@ namespace {
 
 using gpu::uint; // the masks of FEATURE_* cast to it
 
-/// Does nothing if the file is loaded.
+/// Loads a file unless it is loaded already.
 void loadFile(Device& device, DeviceScene& scene, const std::string& path, bool verbose) {
     if (scene.files.find(path)) return;
     DeviceScan file = loadScan(device, path, verbose);
@@ -211,7 +211,7 @@ void uploadSceneRows(Device& device, DeviceScene& scene, const SceneDescription&
 bool mergesGaussians(const DeviceScene& scene) {
     std::size_t count = 0;
     for (const Instance& each : scene.instances)
-        // the set may show further tiles, so one counts as several
+        // the set may load further tiles, so one tile counts as several instances
         if (scene.files[each.file].is_gaussian) count += each.tile ? 2 : 1;
     return count > 1;
 }

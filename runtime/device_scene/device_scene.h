@@ -46,7 +46,7 @@ struct DeviceScene {
     RenderSpace space;
     ResidentFiles files;             ///< each .pro once, however many instances it has
     std::vector<SceneSet> sets;      ///< in the order of their instances
-    std::vector<Instance> instances; ///< in the order of the description, where a set stands for its tiles
+    std::vector<Instance> instances; ///< in the order of the description, with a set's tiles in its place
     Instance blank;                  ///< bound in scenes without instances
     ScenePaint paint;
     Bounds bounds; ///< of the instances; of the bounded shapes if there are none
@@ -76,8 +76,8 @@ DeviceScene openScene(Device& device, SceneDescription description, bool verbose
 void uploadSceneTables(Device& device, DeviceScene& scene, const RenderSettings& settings);
 
 /// Replaces the description by one that differs in materials, lights or shapes only, in a few milliseconds. Files,
-/// placements, sky image and paint request (paintRequest) must be the current ones. rows must have the features of the
-/// scene, for which its programs were built.
+/// placements, sky image and paint request (paintRequest) must be the current ones. rows must have the scene's
+/// features, which its programs were built for.
 /// @param rows makeSceneRows of description
 void uploadSceneRows(Device& device, DeviceScene& scene, const SceneDescription& description,
                      const RenderSettings& settings, SceneRows rows);
@@ -119,7 +119,7 @@ PagedBuffers instancePages(const DeviceScene& scene, const Instance& instance);
 
 /// The buffers of an instance, or of scene.blank, for the bindings of shaders/lib/bindings.glsl.
 std::vector<BufferBinding> instanceBindings(const DeviceScene& scene, const Instance& instance);
-/// The bindings of sceneBindings that do not belong to a file.
+/// The bindings of instanceBindings that do not belong to a file.
 std::vector<BufferBinding> sceneBindings(const DeviceScene& scene, const Instance& instance);
 
 void destroyDeviceScene(Device& device, DeviceScene& scene);

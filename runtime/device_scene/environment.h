@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Environment lighting by an equirectangular image: texels and sampling distributions for
+// Environment lighting from an equirectangular image: texels and sampling distributions for
 // shaders/shade/environment.glsl.
 #pragma once
 
@@ -22,13 +22,13 @@ struct Environment {
     std::array<double, 3> mean_radiance{}; ///< over all directions
 };
 
-/// Downsamples images of more than 4096 pixels a side. The density of a cell is the integral of the luminance that
-/// environmentRadiance returns over its solid angle. It is 0 only where the image is black, or where a cell has less
+/// Downsamples images of more than 4096 pixels a side. The density of a cell is the luminance that environmentRadiance
+/// returns, integrated over the cell's solid angle. It is 0 only where the image is black, or where a cell has less
 /// than 2^-24 of its row's light. A black image is sampled uniformly.
 /// @param image not empty
 Environment makeEnvironment(FloatImage image);
 
-/// The shader parameters beside the arrays.
+/// The shader parameters besides the arrays.
 /// @param map_from_world rows of a rotation to the map space of shaders/shared/environment_layout.h
 /// @param strength multiplies all radiance
 gpu::EnvironmentFrame environmentFrame(const Environment& environment, const std::array<Vec3, 3>& map_from_world,

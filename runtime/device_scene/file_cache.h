@@ -11,8 +11,8 @@ namespace pointrt {
 /// The folder takes at most a quarter of the disk space that would be free without it.
 constexpr std::uint64_t kFreePerCached = 4;
 
-/// A folder that several processes may share. Only files with its suffix count, and their temporary files (AtomicFile);
-/// old temporary files are leftovers.
+/// A folder that several processes may share. Only files with the suffix and their temporary files (AtomicFile) belong
+/// to the cache; old temporary files are leftovers.
 struct FileCache {
     std::string folder; ///< empty: caching is off
     std::string suffix;
@@ -27,12 +27,12 @@ struct UserCache {
     std::uint64_t most_bytes = 0; ///< limit if the variable is not set
 };
 
-/// Without a folder if it is off or the user has none. Throws Error kBadUsage if the variable is neither a size nor
-/// "off".
+/// The result has no folder if caching is off or the user has no cache folder. Throws Error kBadUsage if the variable
+/// is neither a size nor "off".
 FileCache userFileCache(const UserCache& user);
 
 /// Creates the folder, accessible only to the user, if it is missing, and deletes the least recently used files until
-/// bytes more fit. False if there is no folder, or they cannot fit. kept: path of a file that is not deleted.
+/// `bytes` more fit. False if there is no folder, or that many cannot fit. kept: path of a file that is not deleted.
 bool makeRoomFor(const FileCache& cache, std::uint64_t bytes, const std::string& kept = {});
 
 /// Marks a file as used now; ignored if it cannot be written.

@@ -74,8 +74,8 @@ void addSplats(const DeviceScan& file, const SampledInstance& instance, std::uin
     }
 }
 
-/// Takes every n-th splat of a tile; n is chosen so that the tile's part of the sample is in proportion to the original
-/// splats that it represents.
+/// The n for taking every n-th splat of a tile, such that the tile's part of the sample is in proportion to the
+/// original splats that it represents.
 std::uint64_t stepThrough(const SetTile& tile, std::uint64_t originals, std::uint64_t step) {
     const double kept = static_cast<double>(tile.splats) / static_cast<double>(std::max<std::uint64_t>(1, originals));
     return std::max<std::uint64_t>(1, static_cast<std::uint64_t>(kept * static_cast<double>(step)));
@@ -143,7 +143,7 @@ std::uint64_t splatsOf(const DeviceScene& scene) {
     return std::accumulate(counts.begin(), counts.end(), std::uint64_t{0});
 }
 
-/// Takes every step-th splat. clips: takes only splats that they keep.
+/// Takes every step-th splat. clips: take only splats that the scene's clips keep.
 SceneSample gather(const DeviceScene& scene, std::uint64_t step, bool clips) {
     SceneSample sample;
     const std::vector<const DeviceScan*> scans = representativeScans(scene);

@@ -14,8 +14,8 @@ namespace {
 
 constexpr std::uint32_t kTexelWords = 4;
 
-/// Row k of M: axis k divided by its half length in the ellipsoid. Gaussians that are too faint to count are in no
-/// list.
+/// Row k of M (gaussian_layout.h): the unit vector along axis k, divided by the axis's half length. Gaussians that are
+/// too faint to count are in no list.
 gpu::vec4 rowOf(const std::array<float, 3>& half_axis, double mean) {
     const float squared = half_axis[0] * half_axis[0] + half_axis[1] * half_axis[1] + half_axis[2] * half_axis[2];
     const float inverse = squared > 0 ? 1 / squared : 0.0f;
@@ -76,7 +76,8 @@ CubeBox boxAround(const std::vector<GaussianEllipsoid>& ellipsoids) {
     return box.low[0] <= box.high[0] ? box : CubeBox{{0, 0, 0}, {1, 1, 1}};
 }
 
-/// For each ellipsoid that is not empty: half the edge of the smallest cube around a point that holds it.
+/// For each ellipsoid that is not empty: half the edge of the smallest cube centred on point that contains the
+/// ellipsoid.
 std::vector<double> halfEdgesAround(const std::array<double, 3>& point,
                                     const std::vector<GaussianEllipsoid>& ellipsoids) {
     std::vector<double> halves;
@@ -91,7 +92,7 @@ std::vector<double> halfEdgesAround(const std::array<double, 3>& point,
     return halves;
 }
 
-/// Every ray tests the Gaussians that extend out of the cube. If there are many, as in skies and in the tiles of a set,
+/// Every ray tests the Gaussians that extend beyond the cube. If there are many, as in skies and in the tiles of a set,
 /// the cube is enlarged by a power of two, at most 8: floats resolve positions to 2^-24 of its edge.
 constexpr std::ptrdiff_t kMostOutside = 64;
 constexpr double kMostEnlargement = 8;

@@ -28,9 +28,9 @@ struct GaussianBuffers {
     std::vector<gpu::GaussianNode> nodes;
     std::vector<std::uint32_t> lists;
     std::vector<std::uint32_t> harmonics; ///< HARMONIC_TEXELS words of 4 per Gaussian
-    CubeBox box; ///< around all Gaussians that are not too faint, which may extend out of the cube
+    CubeBox box;                          ///< around all Gaussians that are not too faint; may extend beyond the cube
     TracedCube cube;
-    bool reaches_out = false; ///< whether some of these extend out of it
+    bool reaches_out = false; ///< whether some of these Gaussians extend beyond the cube
 };
 
 /// Decodes the sections of a file.

@@ -15,7 +15,7 @@ struct GgxAlbedo {
 };
 
 /// One entry, by quadrature over the visible normals (Heitz 2018, height-correlated Smith shadowing). The error is at
-/// most 0.003, for cosines below 0.01.
+/// most 0.003, and largest for cosines below 0.01.
 /// @param cosine in (0, 1]
 /// @param roughness in (0, 1]; GGX's alpha is its square
 GgxAlbedo ggxAlbedoAt(double cosine, double roughness);

@@ -13,7 +13,7 @@ constexpr std::size_t kSampled = std::size_t{1} << 18;
 /// classes.
 constexpr std::size_t kMostValues = 32;
 
-/// What a first pass finds out about numbers, before their histogram.
+/// What a first pass over the numbers finds, before the histogram.
 struct NumberSurvey {
     std::optional<ValueRange> range;
     std::set<double> integers; ///< stops at one more than kMostValues

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Samples of the numbers of scans: for ranges of colours, and for histograms.
+// Samples of the numbers of scans, for colour ranges and histograms.
 #pragma once
 
 #include <algorithm>
@@ -17,8 +17,8 @@ namespace pointrt {
 /// Each scan once: sets are represented by their roots, which have a sample of their numbers.
 std::vector<PlacedScan> representativesOf(const std::vector<PlacedScan>& scans);
 
-/// The step of visitNumbers with which it visits about 2^18 numbers of all scans together: their percentiles are
-/// accurate to 0.1%.
+/// The step at which visitNumbers visits about 2^18 numbers of all scans together, enough for percentiles accurate to
+/// 0.1%.
 std::size_t stepThrough(const std::vector<PlacedScan>& scans);
 
 /// Calls visit(number) for the finite numbers of every step-th block of splats.
@@ -39,7 +39,7 @@ void visitNumbers(const PlacedScan& scan, const SplatNumbers& source, std::size_
 struct NumberHistogram {
     ValueRange range;           ///< of all; low equals high if there is one number only
     std::vector<float> shares;  ///< shares of kHistogramBins equal parts of range, relative to the largest
-    std::vector<double> values; ///< the numbers, ascending, if they are few integers; else empty
+    std::vector<double> values; ///< the distinct numbers, ascending, if they are few and integers; else empty
     bool operator==(const NumberHistogram&) const = default;
 };
 constexpr std::size_t kHistogramBins = 100;

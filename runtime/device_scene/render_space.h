@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Render space: the frame that rays, shapes and lights share on the device, and the transforms to it. Doubles until the
-// last rounding, so that scenes far from the origin (national grids) lose no precision: the device gets small numbers
-// around the first instance's cube.
+// Render space: the frame that rays, shapes and lights share on the device, and the transforms to it. Transforms use
+// doubles until the last rounding, so that scenes far from the origin (national grids) lose no precision: the device
+// gets small numbers around the first instance's cube.
 #pragma once
 
 #include <array>
@@ -33,7 +33,8 @@ struct Bounds {
 /// @param infos of the instances' files, in order
 RenderSpace chooseRenderSpace(const SceneDescription& scene, std::span<const pro_info> infos);
 
-/// A direction of an instance's input, or a point without the translation, in world coordinates.
+/// From an instance's input to world coordinates: `turned` rotates a direction; `placed` rotates, scales and translates
+/// a point.
 Vec3 turned(const Placement& placement, Vec3 input);
 Vec3 placed(const Placement& placement, Vec3 input);
 /// The inverse of placed: from the world to input coordinates.
@@ -44,8 +45,8 @@ Vec3 unrotated(const Placement& placement, Vec3 direction);
 Vec3 renderPoint(const RenderSpace& space, Vec3 world);
 Vec3 worldPoint(const RenderSpace& space, Vec3 point);
 
-/// Rows of the transform from render space to an instance's cube, [0,1)^3; exactly the unit matrix for the first
-/// instance if it is unmoved.
+/// Rows of the transform from render space to an instance's cube, [0,1)^3; exactly the identity for the first instance
+/// if it is unmoved.
 std::array<gpu::vec4, 3> cubeFromRender(const RenderSpace& space, const Placement& placement, const pro_info& info);
 
 /// World bounds of the eight corners of an instance's bounds.

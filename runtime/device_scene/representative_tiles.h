@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A small set of tiles that represents a whole tile set, before any camera is known: original tiles if they are small.
+// A small set of tiles that represents a whole tile set, before any camera is known: the original tiles if they have
+// few splats.
 #pragma once
 
 #include <cstdint>

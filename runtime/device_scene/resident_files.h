@@ -19,7 +19,7 @@ namespace pointrt {
 enum class Eviction : std::uint8_t { kNever, kAllowed };
 
 /// Files in slots. The number of a file's slot and the address of its scan do not change while the file is resident;
-/// the lowest free slot is used next. It frees no device memory: the caller that removes a scan destroys it.
+/// the lowest free slot is used next. Frees no device memory: the caller that removes a scan destroys it.
 class ResidentFiles {
 public:
     using Slot = std::uint32_t;

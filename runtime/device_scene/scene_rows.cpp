@@ -181,8 +181,8 @@ bool continuesPaths(const gpu::Material& material, Integrator integrator) {
            (highlightWeight(material) > 0 && hasTrait(integrator, INTEGRATOR_MIRRORS_HIGHLIGHTS));
 }
 
-/// Whether hits trace their shadow rays at once. If paths continue, few of their hits sample all lights, and a queue
-/// for those few costs more time than idle lanes.
+/// Whether hits trace their shadow rays immediately. If paths continue, few of their hits sample all lights, and a
+/// queue for those few costs more time than idle lanes.
 bool canInlineNee(const SceneRows& rows, std::uint32_t features, Integrator integrator) {
     if (samplesOneLight(integrator)) return true;
     return (features & FEATURE_SECONDARY_RAYS) == 0 && rows.lights.size() <= SHADOW_RAYS_PER_PATH;

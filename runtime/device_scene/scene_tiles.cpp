@@ -34,7 +34,7 @@ constexpr double kDeviceShare = 0.75;
 /// its matrix, which is large if the tile is small compared with render space.
 constexpr float kCoreSteps = 4, kMatrixRounding = 4e-7f; // a few times 2^-24
 
-/// Self-intersection distance of merged discs, as a share of that of original ones. They need a shorter distance:
+/// Self-intersection distance of merged discs, as a share of the distance of original discs. It must be shorter:
 /// merging averages out registration errors, so merged discs deviate from the surface only because it is curved within
 /// a cell. At the full distance, roofs a few radii above the ground would cast no shadow on coarser levels
 /// (tests/bench/NOTES.md, Silhouettes).
@@ -193,7 +193,7 @@ private:
             for (TileFile& file : tiles) destroyScan(device_, file.scan);
         };
         const OnError undo(close);
-        // in parallel if allowed, as opening a file reads all of it, to check it
+        // in parallel if allowed, since opening a file reads and checks all of it
         if (request_.on_all_cores) forAll(tiles.size(), [&](std::size_t i) { openTile(set, tiles[i]); });
         bool found = true;
         for (TileFile& file : tiles) {

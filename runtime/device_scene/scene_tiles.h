@@ -24,12 +24,12 @@ struct TileRequest {
     bool verbose = false;
 };
 
-/// All that choosing and loading tiles takes, so that another thread can do it without the scene.
+/// Everything needed to choose and load tiles, so that another thread can do so without the scene.
 struct TileLoadRequest {
     std::vector<OpenedSet> sets;              ///< in the scene's order
     std::vector<CutRequest> requests;         ///< one for each set
     std::unordered_set<std::string> resident; ///< paths of the files on the device
-    /// Load on all cores. Otherwise on the calling thread, and build indices on half of the cores.
+    /// true: load on all cores; false: load on the calling thread, and build indices on half of the cores.
     bool on_all_cores = true;
     /// No further tile is started after this many seconds, except the first: the caller may want other tiles by then.
     double time_limit_s = std::numeric_limits<double>::infinity();
@@ -37,7 +37,7 @@ struct TileLoadRequest {
 };
 TileLoadRequest makeTileLoadRequest(const DeviceScene& scene, const TileRequest& request);
 
-/// Chooses the cuts of request again, with this share of its memory. Returns how many bytes of their tiles are not
+/// Chooses the cuts of request again, with this share of its memory. Returns the bytes of the chosen tiles that are not
 /// resident.
 std::uint64_t chooseTiles(TileLoadRequest& request, double share = 1);
 
@@ -73,9 +73,9 @@ gpu::InstanceParams makeInstanceParams(const RenderSpace& space, const DeviceSca
 /// Clips the hits of a tile to box, in the set's coordinates.
 void setCoreBox(const DeviceScan& file, const TileBox& box, gpu::InstanceParams& params);
 
-/// The memory limit for tiles, bytes. On a device with memory of its own it is request, but at most a share of that
-/// memory. Otherwise request applies to the whole process: `others`, the bytes of everything else, are subtracted, but
-/// at most half of request.
+/// The memory limit for tiles, bytes. On a device with dedicated memory, the limit is request, but at most a share of
+/// that memory. Otherwise request applies to the whole process: `others`, the bytes of everything else, are subtracted,
+/// but no more than half of request.
 std::uint64_t tileMemory(const Device& device, std::uint64_t request, std::uint64_t others = 0);
 
 } // namespace pointrt

@@ -32,7 +32,7 @@ std::string attributeWord(const std::string& word);
 /// The numbers that word names or abbreviates; nullopt if the file has none.
 std::optional<SplatNumbers> attributeNumbers(const pro_file* file, const std::string& word);
 
-/// Heights along up (unit length), in world units; for a scan that is not moved, those of its input.
+/// Heights along up (unit length), in world units; for an unmoved scan, the heights of its input.
 SplatNumbers heightNumbers(const pro_file* file, const Placement& placement, Vec3 up);
 
 /// Reads the numbers of splats first to first + numbers.size() - 1.

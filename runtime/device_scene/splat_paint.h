@@ -48,8 +48,8 @@ struct SplatPaint {
     float size = 1;                                   ///< factor for the radii
 };
 
-/// Fills painted with the words of consecutive splats from number first on, on all cores. Splats that selections leave
-/// out are painted, too (splat_selection.h).
+/// Fills painted with the words of consecutive splats from number first on, on all cores. Splats that the selections
+/// hide are painted, too: splat_selection.h removes them.
 void paintSplats(const SplatPaint& paint, const std::uint32_t* file_words, std::size_t first,
                  std::span<std::uint32_t> painted);
 

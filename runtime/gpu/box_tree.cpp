@@ -34,7 +34,7 @@ VkAccelerationStructureGeometryKHR instanceGeometry(const Device& device, const 
     return geometry;
 }
 
-/// The bottom level as an instance, not moved.
+/// The bottom level as an instance with the identity transform.
 VkAccelerationStructureInstanceKHR instanceOf(const Device& device, const Buffer& bottom) {
     VkAccelerationStructureDeviceAddressInfoKHR info{VK_STRUCTURE_TYPE_ACCELERATION_STRUCTURE_DEVICE_ADDRESS_INFO_KHR};
     info.accelerationStructure = bottom.tree;
@@ -59,7 +59,7 @@ Buffer createTree(Device& device, VkAccelerationStructureTypeKHR type, std::uint
     return buffer;
 }
 
-/// Between uploads, builds and programs that query.
+/// A barrier between uploads, builds and programs that query.
 void recordBuildBarrier(VkCommandBuffer commands) {
     VkMemoryBarrier barrier{VK_STRUCTURE_TYPE_MEMORY_BARRIER};
     barrier.srcAccessMask = VK_ACCESS_TRANSFER_WRITE_BIT | VK_ACCESS_ACCELERATION_STRUCTURE_WRITE_BIT_KHR;

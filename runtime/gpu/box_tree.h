@@ -19,8 +19,8 @@ struct BoxTree {
     Buffer bottom, top;
 };
 
-/// Builds a tree of 1 to kTreeBoxesMax boxes; a candidate's primitive index is the box's in the list. The device must
-/// query rays. Throws Error kCannotRun if out of memory.
+/// Builds a tree of 1 to kTreeBoxesMax boxes; a candidate's primitive index is its box's index in the list. The device
+/// must support ray queries. Throws Error kCannotRun if out of memory.
 BoxTree createBoxTree(Device& device, std::span<const VkAabbPositionsKHR> boxes);
 void destroyBoxTree(Device& device, BoxTree& tree);
 

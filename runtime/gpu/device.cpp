@@ -158,7 +158,7 @@ std::vector<const char*> deviceExtensions(const Device& device, const DeviceRequ
     return extensions;
 }
 
-/// The objects that each thread has for itself.
+/// Creates the objects that each thread has for itself.
 void createThreadObjects(Device& device) {
     VkCommandPoolCreateInfo pool{VK_STRUCTURE_TYPE_COMMAND_POOL_CREATE_INFO};
     pool.flags = VK_COMMAND_POOL_CREATE_RESET_COMMAND_BUFFER_BIT;
@@ -167,7 +167,7 @@ void createThreadObjects(Device& device) {
     device.staging = std::make_shared<Staging>();
 }
 
-/// Waits for its submissions, unless the device is lost.
+/// Waits for this thread's submissions first, unless the device is lost.
 void destroyThreadObjects(Device& device) {
     if (!device.command_pool) return;
     finishSubmitted(device);
@@ -185,7 +185,7 @@ void createTimeline(Device& device) {
     check(vkCreateSemaphore(device.handle, &info, nullptr, &device.timeline->semaphore), "create a semaphore");
 }
 
-/// Null where the instance has no VK_EXT_debug_utils.
+/// Leaves the functions null if the instance has no VK_EXT_debug_utils.
 void loadDebugFunctions(Device& device) {
     device.setObjectName = reinterpret_cast<PFN_vkSetDebugUtilsObjectNameEXT>(
         vkGetInstanceProcAddr(device.instance, "vkSetDebugUtilsObjectNameEXT"));

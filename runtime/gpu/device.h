@@ -31,11 +31,11 @@ struct DeviceRequest {
     /// Whether a queue family can present to the window's display. If not set, all families can.
     std::function<bool(VkInstance, VkPhysicalDevice, std::uint32_t queue_family)> can_present;
     Traversal traversal = Traversal::kWalk;
-    std::uint32_t page_bits_most = 31; ///< limit for Device::page_bits: tests get many pages from small scenes
+    std::uint32_t page_bits_most = 31; ///< limit for Device::page_bits, for tests with many pages in small scenes
 };
 
-/// The submissions to a queue, numbered from 1 in order. The semaphore's value is the number of the last one that is
-/// done.
+/// The submissions to a queue, numbered from 1 in order. The semaphore's value is the number of the last completed
+/// submission.
 struct Timeline {
     VkSemaphore semaphore = VK_NULL_HANDLE;
     std::uint64_t submitted = 0; ///< guarded by the queue's mutex
@@ -49,7 +49,7 @@ struct SubmittedCommands {
     std::uint64_t number = 0; ///< number of the submission
 };
 
-/// Frames in flight: the host records one while the device works on the one before.
+/// Frames in flight: the host records a frame while the device renders the previous one.
 constexpr std::uint32_t kFramesInFlight = 2;
 
 /// Functions of ray queries; null unless Device::queries_rays.
@@ -108,8 +108,9 @@ Device createDevice(const DeviceRequest& request);
 void destroyDevice(Device& device);
 
 /// The same device for another thread: it shares the queue, under a mutex, and has its own command pool and staging.
-/// First waits for the submissions of device, since the thread may change their objects. Objects created through one
-/// may be used and freed through the other. Free it with destroyWorkerDevice before device.
+/// First waits for the submissions of device, since the thread may change the objects that they use. Objects created
+/// through either device may be used and freed through the other. Free the worker with destroyWorkerDevice, before
+/// device.
 Device workerDevice(const Device& device);
 void destroyWorkerDevice(Device& worker);
 
@@ -178,7 +179,7 @@ std::uint64_t submitWithNext(Device& device, VkCommandBuffer commands);
 bool isDone(const Device& device, std::uint64_t submission);
 /// Waits for a submission; returns at once for 0. Throws Error kCannotRun (device lost).
 void waitFor(const Device& device, std::uint64_t submission);
-/// Waits for all that this thread has submitted. Throws Error kCannotRun (device lost).
+/// Waits for everything that this thread has submitted. Throws Error kCannotRun (device lost).
 void waitForSubmitted(const Device& device);
 /// Waits before objects are freed; returns at once if the device is lost, since it runs nothing any more.
 void finishSubmitted(const Device& device) noexcept;

@@ -44,7 +44,7 @@ struct Candidate {
     bool doubles = false;                    ///< shaders may use 64-bit floats
     /// The subgroup sizes that compute programs may require (VK_EXT_subgroup_size_control); 0 if they may not.
     std::uint32_t least_subgroup = 0, largest_subgroup = 0;
-    bool ray_queries = false;  ///< has kRayExtensions and the features of these
+    bool ray_queries = false;  ///< has kRayExtensions and their features
     bool reads_texels = false; ///< supports texel buffers in the formats of scenes
     std::string refusal;       ///< empty if usable
 };
@@ -83,7 +83,7 @@ bool hasExtension(VkPhysicalDevice physical, const char* name);
 /// do, and the hardware supports 32: in a smaller subgroup, rays wait for fewer others (tests/bench/NOTES.md).
 std::uint32_t subgroupSizeFor(const Candidate& candidate);
 
-/// Why candidate is unusable; empty if it is usable. Does not read candidate.physical and refusal.
+/// Why candidate is unusable; empty if it is usable. Does not read candidate.physical or refusal.
 std::string refusalOf(const Candidate& candidate);
 
 /// The best usable candidate that selector (see DeviceRequest) matches.

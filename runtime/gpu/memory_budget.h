@@ -8,8 +8,8 @@
 
 namespace pointrt {
 
-/// Bytes left in the device's largest heap of its own: as VK_EXT_memory_budget reports, which counts other programs,
-/// else the heap's size.
+/// Bytes free in the largest device-local heap, after other programs, by VK_EXT_memory_budget; without it, the heap's
+/// size.
 std::uint64_t availableDeviceMemory(const Device& device);
 
 } // namespace pointrt

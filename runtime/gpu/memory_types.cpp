@@ -10,7 +10,7 @@ constexpr VkMemoryPropertyFlags kLocal = VK_MEMORY_PROPERTY_DEVICE_LOCAL_BIT,
                                 kVisible = VK_MEMORY_PROPERTY_HOST_VISIBLE_BIT,
                                 kCoherent = VK_MEMORY_PROPERTY_HOST_COHERENT_BIT,
                                 kCached = VK_MEMORY_PROPERTY_HOST_CACHED_BIT;
-/// Memory types to avoid: not cached by the device, for protected submissions only, or without buffer addresses.
+/// Memory types to avoid: not cached by the device, for protected submissions only, or for transient attachments.
 constexpr VkMemoryPropertyFlags kUnusual = VK_MEMORY_PROPERTY_DEVICE_COHERENT_BIT_AMD |
                                            VK_MEMORY_PROPERTY_DEVICE_UNCACHED_BIT_AMD |
                                            VK_MEMORY_PROPERTY_PROTECTED_BIT | VK_MEMORY_PROPERTY_LAZILY_ALLOCATED_BIT;
@@ -19,7 +19,7 @@ struct Wish {
     VkMemoryPropertyFlags required = 0, preferred = 0, avoided = 0;
 };
 
-/// The type that fits a wish best; of equally good ones the first, since drivers list the faster ones first.
+/// The type that fits a wish best; the first of several equally good ones, since drivers list faster types first.
 std::optional<std::uint32_t> bestType(const VkPhysicalDeviceMemoryProperties& memory, std::uint32_t allowed,
                                       const Wish& wish) {
     std::optional<std::uint32_t> best;

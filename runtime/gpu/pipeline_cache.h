@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The pipelines that a driver has compiled, kept between runs in a file of the user's cache folder.
+// The pipelines that a driver has compiled, kept between runs in a file in the user's cache folder.
 #pragma once
 
 #include <cstdint>

@@ -169,7 +169,7 @@ bool isTree(VkDescriptorType type) { return type == VK_DESCRIPTOR_TYPE_ACCELERAT
     throw std::logic_error(program.name + ": binding " + std::to_string(number(slot)) + " " + reason);
 }
 
-/// Texel buffers are bound by their view.
+/// Requires a buffer and, for texel buffers, the view by which they are bound.
 void requireView(const Program& program, const ShaderBinding& wanted, const Buffer& buffer) {
     if (!buffer.handle) failBinding(program, wanted.slot, "has no buffer");
     if (isTexelBuffer(wanted.type) && !buffer.view) failBinding(program, wanted.slot, "has no view");

@@ -38,8 +38,8 @@ struct BufferBinding {
 };
 
 /// Builds the pipeline, or takes one with the same code and constants from the device's store.
-/// @param constants a value for each specialization constant of the shader; may have more. Throws std::logic_error if a
-/// value is missing, Error kCannotRun if the driver cannot build it.
+/// @param constants a value for each specialization constant of the shader; may have others.
+/// Throws std::logic_error if a value is missing, Error kCannotRun if the driver cannot build the pipeline.
 Program createProgram(Device& device, const char* name, std::span<const std::uint32_t> spirv,
                       std::initializer_list<SpecConstant> constants = {});
 Program createProgram(Device& device, const char* name, std::span<const std::uint32_t> spirv,
@@ -71,7 +71,8 @@ struct GroupCount {
 };
 
 /// Records binding, push constants and dispatch. Throws std::logic_error if the size of push differs from the shader's
-/// push block or a declared set is missing. If the shader has no push block, perhaps optimised away, push is ignored.
+/// push block or a declared set is missing. If the shader has no push block (it may have been optimised away), push is
+/// ignored.
 void recordDispatch(VkCommandBuffer commands, const Program& program, const DescriptorSets& sets,
                     std::span<const std::byte> push, GroupCount groups);
 /// The same with the group counts read from a buffer: 3 uint32 at offset (a multiple of 4) of arguments.

@@ -42,7 +42,7 @@ void allocateMemory(Device& device, const char* what, Buffer& buffer, MemoryHome
     buffer.coherent = (properties & VK_MEMORY_PROPERTY_HOST_COHERENT_BIT) != 0;
 }
 
-/// The memory types as which host memory at data can be imported; 0: none.
+/// The memory types (a bit mask) as which host memory at data can be imported; 0: none.
 std::uint32_t importableTypes(Device& device, const void* data) {
     VkMemoryHostPointerPropertiesEXT properties{VK_STRUCTURE_TYPE_MEMORY_HOST_POINTER_PROPERTIES_EXT};
     const VkResult result = device.getMemoryHostPointerProperties(
@@ -76,7 +76,7 @@ void requireInside(const Buffer& buffer, std::uint64_t bytes, std::uint64_t offs
     if (offset > buffer.bytes || bytes > buffer.bytes - offset) throw std::logic_error("copy outside of a buffer");
 }
 
-/// The whole range, since the offset and size of a part would have to be multiples of an atom.
+/// The whole range, since the offset and size of a part would have to be multiples of nonCoherentAtomSize.
 VkMappedMemoryRange mappedRange(const Buffer& buffer) {
     VkMappedMemoryRange range{VK_STRUCTURE_TYPE_MAPPED_MEMORY_RANGE};
     range.memory = buffer.range.memory;

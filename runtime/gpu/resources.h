@@ -18,7 +18,7 @@ struct Buffer {
     MemoryRange range;
     VkBufferView view = VK_NULL_HANDLE;               ///< set by createTexelView
     VkAccelerationStructureKHR tree = VK_NULL_HANDLE; ///< the acceleration structure that it stores (box_tree.h)
-    std::uint64_t bytes = 0;                          ///< as requested; at least 16 are allocated
+    std::uint64_t bytes = 0;                          ///< as requested; at least 16 bytes are allocated
     void* mapped = nullptr;     ///< null if the host cannot access the memory quickly (memory_types.h)
     bool coherent = true;       ///< if false, hostBytes and flushBuffer keep mapped up to date
     bool imported = false;      ///< the memory belongs to the caller
@@ -44,8 +44,8 @@ Buffer createFilledBuffer(Device& device, const char* what, const void* data, st
 
 /// Imports host memory as a read-only device buffer without a copy, through VK_EXT_external_memory_host. data must
 /// outlive the buffer, with [data, data + bytes rounded up to device.host_import_alignment) readable. Returns a Buffer
-/// without handle if that is not possible (no extension, alignment, the driver refuses the mapping): upload instead. A
-/// device with its own memory reads an imported buffer over the bus every time.
+/// without a handle if that is not possible (no extension, alignment, the driver refuses the mapping): upload instead.
+/// A device with its own memory reads an imported buffer over the bus every time.
 Buffer importHostBuffer(Device& device, const void* data, std::uint64_t bytes, VkBufferUsageFlags usage);
 
 /// Bytes per texel of the formats that buffer views use.

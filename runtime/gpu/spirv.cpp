@@ -78,7 +78,7 @@ void decorateMember(Id& id, std::span<const std::uint32_t> words) {
     id.member_offsets[words[2]] = words[4];
 }
 
-/// The operand that is the id which an instruction declares; 0 for instructions that are not needed here.
+/// The position of the word with the id that an instruction declares; 0 for instructions that are not needed here.
 std::size_t resultWord(std::uint32_t opcode) {
     switch (opcode) {
     case kOpTypeInt:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Command buffers and their submission, in an order that the timeline numbers.
+// Command buffers and their submissions, which the timeline numbers in order.
 #include <utility>
 
 #include "format/base/error.h"

@@ -26,8 +26,8 @@ struct TexelRange {
 /// Thread-safe.
 class TexelPool {
 public:
-    /// A range with room for buffers of this texelRoom; without a block if no block can hold it. Throws Error
-    /// kCannotRun if out of memory.
+    /// A range of this many bytes, the texelRoom of its buffers; without a block if no block can be that large. Throws
+    /// Error kCannotRun if out of memory.
     TexelRange allocate(Device& device, std::uint64_t bytes);
     /// Ignores ranges without a block.
     void free(Device& device, const TexelRange& range);

@@ -10,7 +10,7 @@
 namespace pointrt {
 
 enum class Traversal : std::uint8_t {
-    kWalk,     ///< by our walk through the cells, which every device can do
+    kWalk,     ///< by walking through the cells in the shader, on any device
     kHardware, ///< by the device's ray queries (VK_KHR_ray_query) over boxes of cells
     kAuto      ///< by ray queries on GPUs that have them
 };

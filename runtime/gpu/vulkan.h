@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Vulkan functions without linking to the loader: it is opened at run time, so that --help works without it, and its
-// absence gives a clear error instead of one of the dynamic linker. Inside namespace pointrt the functions have their
-// usual names.
+// absence gives a clear error instead of the dynamic linker's. Inside namespace pointrt the functions have their usual
+// names.
 #pragma once
 
 #ifndef VK_NO_PROTOTYPES
@@ -143,7 +143,8 @@ POINTRT_VULKAN_FUNCTIONS(POINTRT_DECLARE_VULKAN)
 POINTRT_VULKAN_WINDOW_FUNCTIONS(POINTRT_DECLARE_VULKAN)
 #undef POINTRT_DECLARE_VULKAN
 
-/// Opens the loader; later calls do nothing. Throws Error kCannotRun if there is none or it is older than 1.1.
+/// Opens the loader; later calls do nothing. Throws Error kCannotRun if there is no loader or it is older than Vulkan
+/// 1.1.
 void loadVulkan();
 
 /// Loads the functions of surfaces and swapchains. The instance must have the extensions of a window.
@@ -153,7 +154,8 @@ void loadWindowFunctions(VkInstance instance);
 /// "VK_ERROR_DEVICE_LOST" for messages; an unknown value comes back as "VkResult -123".
 std::string resultName(VkResult result);
 
-/// Throws Error kCannotRun "cannot WHAT: VK_ERROR_..." unless result is VK_SUCCESS; DeviceLost for that.
+/// Throws Error kCannotRun "cannot WHAT: VK_ERROR_..." unless result is VK_SUCCESS; DeviceLost for
+/// VK_ERROR_DEVICE_LOST.
 /// @param what a verb phrase
 void check(VkResult result, const char* what);
 

@@ -20,7 +20,7 @@ struct ExrPicture {
 };
 
 /// Which pictures to expect: films saved by this viewer, which may compress a thousandfold if empty, or other pictures,
-/// whose size is limited by that of their file (pictureRoom).
+/// whose decoded size is limited by the size of their file (pictureRoom).
 enum class ExrKind { kFilm, kPicture };
 
 /// Reads the files that checkExr accepts. Values are unchanged, including infinities and NaN.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The place of a plan, a picture seen from above, on its map.
+// The position on the map of a plan, which is a picture seen from above.
 #pragma once
 
 #include <string>

@@ -48,7 +48,7 @@ struct Image8 {
 /// Writes image atomically to path, with an sRGB chunk. Throws Error kCannotWrite "PATH: reason".
 void writePng(const std::string& path, const Image8& image);
 
-/// Writes 16-bit grey values, rows from the top, likewise, without an sRGB chunk.
+/// Writes 16-bit grey values, rows from the top, in the same way but without an sRGB chunk.
 void writePng16(const std::string& path, std::uint32_t width, std::span<const std::uint16_t> numbers);
 
 } // namespace pointrt

@@ -29,12 +29,12 @@ std::array<float, 3> toneMap(std::array<float, 3> linear);
 /// The sRGB transfer function (IEC 61966-2-1), rounded to 8 bits; linear is clamped to [0, 1].
 std::uint8_t encodeSrgb(float linear);
 
-/// Tone maps linear RGBA pixels. Without has_alpha their alpha is ignored: the background is part of the picture. With
-/// it the colour is that of the covered part of the pixel, light / coverage.
+/// Tone maps linear RGBA pixels. Without has_alpha, their alpha is ignored: the background is part of the picture. With
+/// has_alpha, the colour is that of the covered part of the pixel, light / coverage.
 /// @param bytes room for channelsOf(tone) bytes per pixel
 void tonemapPixels(std::span<const float> rgba, const ToneMapping& tone, std::uint8_t* bytes);
 
-/// Tone maps a film likewise.
+/// Tone maps a film in the same way.
 Image8 tonemapFilm(const Film& film, const ToneMapping& tone = {});
 
 } // namespace pointrt

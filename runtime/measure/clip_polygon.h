@@ -15,7 +15,7 @@ struct PlaneArea {
     PlanePoint centroid{};
 };
 
-/// Area 0 has no centroid.
+/// The centroid is meaningless if the area is 0.
 PlaneArea areaOf(const std::vector<PlanePoint>& polygon);
 
 /// The part of a polygon with low <= coordinate <= high on an axis. The result of a concave polygon may have pairs of

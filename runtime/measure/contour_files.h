@@ -17,7 +17,7 @@ struct ContourDrawing {
     int epsg = 0; ///< of the coordinate system, 0 if unknown
 };
 
-/// In the scan's coordinates: 3D polylines. Index contours, every fifth height, have their own layer.
+/// 3D polylines in the scan's coordinates. Index contours, every fifth height, have their own layer.
 std::string contourDxf(const ContourDrawing& drawing);
 /// LineStrings with the property "height"; closed ones end where they start.
 std::string contourGeoJson(const ContourDrawing& drawing);

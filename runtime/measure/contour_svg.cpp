@@ -9,7 +9,7 @@
 namespace pointrt {
 namespace {
 
-// Sizes in pixels of SVG, 96 an inch.
+// Sizes in SVG pixels, 96 per inch.
 constexpr double kPlanSide = 1000, kPlanMargin = 40, kBarHeight = 50;
 /// Only lines longer than this are labelled.
 constexpr double kLabelled = 60;
@@ -54,14 +54,14 @@ std::string lineText(const Contour& contour, const ContourDrawing& drawing, cons
            "\"/>\n";
 }
 
-/// The height in the middle of a line.
+/// A label with the height, in the middle of a line.
 std::string labelText(const Contour& contour, const ContourDrawing& drawing, const PlanScale& scale, int decimals) {
     const Position& at = contour.points[contour.points.size() / 2];
     return svgText(scale.x(dotOf(at, drawing.east)), scale.y(dotOf(at, drawing.north)), "middle",
                    decimalText(contour.height, decimals));
 }
 
-/// The length in pixels, but no more than is needed to know whether a label fits.
+/// The largest extent along an axis in pixels: at most the length, and enough to know whether a label fits.
 double extentOf(const Contour& contour, const PlanScale& scale) {
     double most = 0;
     for (std::size_t axis = 0; axis < 3; ++axis) {

@@ -18,7 +18,7 @@ namespace pointrt {
 /// @param what is measured: "a circle"
 void requireCount(std::span<const Position> points, std::size_t least, const std::string& what);
 
-/// Throws as requireCount, and for "point N is not finite", from 1.
+/// Throws as requireCount does, also "point N is not finite" with N from 1.
 std::vector<Vec3> vectorsOf(std::span<const Position> points, std::size_t least, const std::string& what);
 
 } // namespace pointrt

@@ -11,13 +11,13 @@ namespace pointrt {
 namespace {
 
 constexpr std::size_t kFittedPoints = 8; ///< number of points that determine an end's direction
-/// Steps by which an end may overshoot a corner: the discs of a wall end up to a radius beyond it, in either direction.
+/// Steps by which an end may overshoot a corner: the discs of a wall end up to a radius before or beyond the corner.
 constexpr double kOvershoot = 2.5;
 constexpr double kStraight = 0.866;     ///< cos(30 degrees): largest turn between ends that continue each other
 constexpr double kStraightSlope = 0.27; ///< tan(15 degrees): largest sideways offset of the other end
 constexpr double kSharpest = 0.5;       ///< cos(60 degrees): sharper corners are mostly adjacent lines in noise
 
-/// The end of a line: first or last point. Numbered 2 * line, and one more for the last.
+/// The first or last point of a line. Ends are numbered: 2 * line for the first, one more for the last.
 struct LineEnd {
     Vec2 at;
     Vec2 out;              ///< unit length, pointing out of the line

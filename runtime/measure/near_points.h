@@ -20,7 +20,7 @@ public:
             cells_[keyOf(columnOf(points[i].x), columnOf(points[i].y))].push_back(i);
     }
 
-    /// Calls visit with the index of each point within reach, in an order that depends on nothing else.
+    /// Calls visit with the index of each point within reach, in a deterministic order.
     template <typename Visit>
     void forNear(Vec2 point, const Visit& visit) const {
         const std::int64_t column = columnOf(point.x), row = columnOf(point.y);

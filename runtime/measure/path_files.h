@@ -9,7 +9,7 @@
 
 namespace pointrt {
 
-/// Numbers of these texts have this many decimals. points: at least two.
+/// decimals: of the numbers in these texts. points: at least two.
 struct MeasuredPath {
     std::vector<Position> points;
     PathMeasures measures;

@@ -15,7 +15,7 @@ double angleBetween(Vec3 a, Vec3 b) {
     return degreesOf(std::atan2(length(cross(a, b)), dot(a, b))); // exact for small angles, too
 }
 
-/// Half the sum of cross products (Newell). Relative to the first point: national coordinates have seven digits.
+/// Half the sum of cross products (Newell), relative to the first point because national coordinates have seven digits.
 Vec3 vectorArea(std::span<const Vec3> points) {
     Vec3 sum;
     for (std::size_t i = 2; i < points.size(); ++i) sum = sum + cross(points[i - 1] - points[0], points[i] - points[0]);

@@ -17,16 +17,16 @@ struct PlaneLine {
 
 double lengthOf(const PlaneLine& line);
 
-/// A straight line without ends.
+/// An infinite straight line.
 struct StraightLine {
     Vec2 center, direction; ///< unit length
     Vec2 nearestTo(Vec2 point) const { return center + dot(point - center, direction) * direction; }
 };
 
-/// The least-squares fit of distances. points: at least one; the direction of equal points is x.
+/// The line with the least sum of squared distances. points: at least one; if all coincide, the direction is x.
 StraightLine fitStraight(std::span<const Vec2> points);
 
-/// The crossing of two lines. None if they are parallel within 6 degrees, as the crossing is then ill conditioned.
+/// The crossing of two lines. None if they are parallel within 6 degrees, since the crossing is then ill-conditioned.
 std::optional<Vec2> crossingOf(const StraightLine& a, const StraightLine& b);
 
 /// The distance of a point from the segment between two others.

@@ -8,7 +8,7 @@
 
 namespace pointrt {
 
-/// Whether a station has several surfaces.
+/// Whether any station has several surfaces.
 bool hasLayers(const std::vector<ProfilePoint>& points);
 
 /// Runs of consecutive points that are hits.

@@ -10,7 +10,7 @@
 namespace pointrt {
 namespace {
 
-// Sizes in pixels of SVG, 96 an inch.
+// Sizes in SVG pixels, 96 per inch.
 constexpr double kChartWidth = 1000, kChartLeft = 90, kChartTop = 30, kChartBottom = 60, kChartRight = 30;
 constexpr double kLeastHeight = 200, kMostHeight = 600; ///< height of the chart's area
 constexpr double kTickGap = 80;                         ///< distance between ticks: room for a label of ten digits

@@ -112,7 +112,7 @@ std::vector<PlaneLine> linkHits(std::span<const SectionHit> hits, double step) {
     const auto hasOne = [&](const Neighbours& n) { return (n[kBack] == kNobody) != (n[kAhead] == kNobody); };
     for (std::uint32_t i = 0; i < hits.size(); ++i)
         if (hasOne(neighbours[i])) lines.push_back(followed(i, hits, neighbours));
-    for (std::uint32_t i = 0; i < hits.size(); ++i) // what remains are loops
+    for (std::uint32_t i = 0; i < hits.size(); ++i) // the remaining hits form loops
         if (neighbours[i][kAhead] != kNobody) {
             lines.push_back(followed(i, hits, neighbours));
             lines.back().closed = true;

@@ -21,8 +21,8 @@ std::vector<SectionHit> thinHits(std::span<const SectionHit> hits, double step);
 /// either side. Hits without a neighbour are left out.
 std::vector<PlaneLine> linkHits(std::span<const SectionHit> hits, double step);
 
-/// Joins ends of lines that lie no farther apart than gap and go on straight, or meet in a corner where both are
-/// extended by at most gap. Ends that overshoot a corner are cut off.
+/// Joins ends of lines that lie no farther apart than gap if one line continues the other straight, or if both meet in
+/// a corner when extended by at most gap. Ends that overshoot a corner are cut off.
 std::vector<PlaneLine> joinEnds(std::vector<PlaneLine> lines, double step, double gap);
 
 /// Simplifies a line: no given point is farther from the result than tolerance (Douglas and Peucker 1973). Corners are

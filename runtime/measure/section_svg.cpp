@@ -9,7 +9,7 @@
 namespace pointrt {
 namespace {
 
-// Sizes in pixels of SVG, 96 an inch.
+// Sizes in SVG pixels, 96 per inch.
 constexpr double kSheetSide = 1000, kSheetMargin = 40, kNameHeight = 30, kSheetBar = 50;
 
 /// A section's place on the sheet, in its own axes.

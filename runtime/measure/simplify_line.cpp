@@ -7,7 +7,7 @@
 namespace pointrt {
 namespace {
 
-/// Points between two corners from which a fit is better than the line between the corners.
+/// With this many points between two corners or more, a fit is better than the line between the corners.
 constexpr std::size_t kLeastFitted = 3;
 /// cos(30 degrees): smaller turns belong to curves. On a curve, fits cross outside it by 2/3 of the sagitta, whereas
 /// the given corner lies on it; a corner between the two preserves the curve's length.
@@ -99,8 +99,8 @@ private:
         return 0.5 * (before.nearestTo(given) + after.nearestTo(given));
     }
 
-    /// Moves a corner back to its given place if a point is too far from the pieces at it. Returns whether any moved;
-    /// repeated calls end, since each corner moves back only once.
+    /// Moves the corners of a piece back to their given places if a point is too far from the piece. Returns whether
+    /// any moved; repeated calls end, since each corner moves back only once.
     bool restoreFarPieces(std::vector<Vec2>& fitted) const {
         bool is_changed = false;
         for (std::size_t k = 0; k + 1 < corners_.size(); ++k) {

@@ -4,7 +4,8 @@
 
 namespace pointrt {
 
-/// Memory does not grow with the number of rays. Throws Error with one line, and then leaves no new output file.
+/// Memory does not grow with the number of rays. Throws Error with a one-line message, and then leaves no new output
+/// file.
 /// @param argv from "cast" on
 int castCommand(int argc, const char* const* argv);
 

@@ -20,7 +20,7 @@ struct CastOptions : CommonOptions {
 };
 
 /// Parses the arguments after "cast". Returns an exit code if the run ends here (--help, --version). Throws Error
-/// kBadUsage with one line for mistakes.
+/// kBadUsage with a one-line message for invalid arguments.
 std::optional<int> parseCastOptions(int argc, const char* const* argv, CastOptions& options);
 
 /// The text of --help, as data.

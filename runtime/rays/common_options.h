@@ -25,7 +25,7 @@ inline constexpr const char* kWrongInput = "an input cannot be read or is malfor
 
 /// Adds SCENE, one or several.
 void addScene(CommandLine& app, CommonOptions& options);
-/// -o.
+/// Adds -o.
 /// @param suffixes of output files, separated by spaces
 void addOutput(CommandLine& app, CommonOptions& options, const std::string& help, const std::string& suffixes,
                bool required = true);

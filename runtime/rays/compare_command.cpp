@@ -29,7 +29,7 @@ constexpr const char* kCompareNotes =
     "scan counts. The column distance is positive where the point lies in front of that surface, on the side to which\n"
     "the point's normal points, negative behind it, and NaN where there is no surface within --max. See docs/RAYS.md.";
 
-/// Median radii of the reference that --max is by default: ten times the spacing of its points.
+/// Default of --max, in median radii of the reference: ten times the spacing of its points.
 constexpr double kMostRadii = 20;
 
 struct CompareOptions : StudyOptions {

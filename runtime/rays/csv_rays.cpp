@@ -17,7 +17,7 @@ namespace {
 
 constexpr std::size_t kNumbersMost = 6;      // largest number of numbers in a row
 constexpr std::size_t kReadBytes = 1u << 20; // bytes per read, so that reading takes little time compared with parsing
-constexpr std::size_t kLongestLine = 1u << 16; // longer lines mean that it is not a list of rays
+constexpr std::size_t kLongestLine = 1u << 16; // longer lines mean that the input is not a list of rays
 
 /// The numbers of a line.
 struct Parsed {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Hits as columns, which every output format is written from.
+// Hits as columns, from which every output format is written.
 #pragma once
 
 #include <cstddef>

@@ -31,10 +31,11 @@ struct SinkRequest {
 
 enum class SinkKind { kNpz, kNpy, kCsv, kPly };
 
-/// Opens the output that the suffix selects; "-" is an array if the number of rays is known, else text. Throws Error
+/// The kind of output that the suffix selects; "-" is an array if the number of rays is known, else text. Throws Error
 /// kBadUsage for other suffixes, and for PLY with any.
 SinkKind sinkKind(const SinkRequest& request);
 
+/// Opens an output of the kind that sinkKind returns. Throws as sinkKind does.
 /// @param columns the columns that all blocks will have; their values are ignored
 std::unique_ptr<HitSink> openSink(const SinkRequest& request, std::span<const HitColumn> columns);
 

@@ -4,7 +4,8 @@
 
 namespace pointrt {
 
-/// Memory does not grow with the number of pulses. Throws Error with one line, and then leaves no new output file.
+/// Memory does not grow with the number of pulses. Throws Error with a one-line message, and then leaves no new output
+/// file.
 /// @param argv from "lidar" on
 int lidarCommand(int argc, const char* const* argv);
 

@@ -23,7 +23,7 @@ struct LidarOptions : CommonOptions {
 };
 
 /// Parses the arguments after "lidar". Returns an exit code if the run ends here (--help, --version). Throws Error
-/// kBadUsage with one line for mistakes.
+/// kBadUsage with a one-line message for invalid arguments.
 std::optional<int> parseLidarOptions(int argc, const char* const* argv, LidarOptions& options);
 
 /// The text of --help, as data.

@@ -35,7 +35,7 @@ Measured measurePoints(MeasureKind kind, const std::vector<Position>& points, co
 
 Measured measuredVolume(const Volume& volume, const std::vector<Position>& rim);
 
-/// Texts of files.
+/// The contents of output files.
 std::string measuredGeoJson(const Measured& measured, const SceneUnits& units);
 std::string measuredDxf(const Measured& measured, MeasureKind kind, const SceneUnits& units);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Headers of NumPy's .npy files in streams, and those of files to write.
+// Reads headers of NumPy's .npy files from streams, and makes headers for files to write.
 #pragma once
 
 #include <string>

@@ -13,8 +13,7 @@ namespace pointrt {
 /// Reads points instance by instance, in world coordinates. Points of a .pro come in the order of its input, without
 /// those that fill gaps; points of a tile set come from the cores of its original tiles, one of which is open at a
 /// time. The columns are those that all instances have; scenes of several instances add instance_id. Throws Error
-/// kBadInput if
-/// a path is not a scene.
+/// kBadInput if a path is not a scene.
 /// @param replaced columns that the results replace
 std::unique_ptr<PointSource> scenePoints(const std::vector<std::string>& paths,
                                          const std::vector<std::string>& replaced);

@@ -22,7 +22,7 @@ struct StudyOptions : CommonOptions {
 void addPointOutput(CommandLine& app, StudyOptions& options, bool required = true);
 /// Adds SCENE, -o, --points, --sides, --up.
 void addStudyOptions(CommandLine& app, StudyOptions& options);
-/// Adds an option whose value set parses; a std::invalid_argument of set becomes the error "NAME: reason".
+/// Adds an option whose value is parsed by `set`; a std::invalid_argument from `set` becomes the error "NAME: reason".
 /// @param many the option can be given several times
 void addValue(CommandLine& app, const std::string& name, const std::string& type, const std::string& help,
               const std::function<void(const std::string&)>& set, bool required = false, bool many = false);

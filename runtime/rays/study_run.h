@@ -38,8 +38,8 @@ struct StudyWork {
     std::vector<std::pair<std::string, std::uint64_t>> counts;
 };
 
-/// Without options.output, it only calls work. Memory does not grow with the number of points, except by 4 bytes per
-/// point of the largest file or tile. Throws Error with one line, and then leaves no new output file.
+/// Without options.output, only calls work. Memory does not grow with the number of points, except by 4 bytes per point
+/// of the largest file or tile. Throws Error with a one-line message, and then leaves no new output file.
 void runStudy(const StudyOptions& options, StudyWork& work);
 
 } // namespace pointrt

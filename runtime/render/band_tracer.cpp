@@ -24,8 +24,8 @@ void bind(Device& device, BandTracer& tracer) {
         bindTracedInstances(device, tracer.programs, *tracer.scene, tracer.buffers, shownMap(tracer.caustics));
 }
 
-/// Continues the later photon map of that number, which replaces the current later map, so that at most two are in
-/// memory. True once it is bound.
+/// Continues tracing the later photon map of that number, which replaces the current later map, so that at most two
+/// maps are in memory. True once it is bound.
 bool traceLaterMap(Device& device, BandTracer& tracer, std::uint32_t number) {
     CausticMaps& maps = tracer.caustics;
     if (!maps.job || maps.job->map() != number) {
@@ -204,7 +204,7 @@ BandSample openPixelList(const BandTracer& tracer, const RenderSettings& setting
 
 void tracePasses(Device& device, const BandTracer& tracer, BandSample& sample, std::uint32_t passes, RayCounts& counts,
                  const std::function<void(VkCommandBuffer)>& then) {
-    waitForSubmitted(device); // waits, since their counters are read from the same buffer
+    waitForSubmitted(device); // since counters of earlier submissions are read from the same buffer
     PassCommands commands(device, tracer.buffers.control, {tracer.buffers.control_read}, tracer.profile);
     const std::uint32_t first_pass = sample.pass;
     recordParts(commands, tracer, sample, passes, then);

@@ -42,13 +42,13 @@ struct BandTracer {
 /// the settings' samples, without photons. scene must have its tables and outlive the tracer.
 void createBandTracer(Device& device, BandTracer& tracer, const DeviceScene& scene, const RenderSettings& settings,
                       std::uint32_t lanes, std::uint64_t film_pixels, FormRequest form = {});
-/// Leaves the tracer empty; it may be empty already.
+/// Leaves the tracer empty. The tracer may be empty already.
 void destroyBandTracer(Device& device, BandTracer& tracer);
 
 /// Whether the scene casts caustics and the settings' integrator shows them.
 bool needsPhotons(const DeviceScene& scene, const RenderSettings& settings);
-/// Traces the first photon map of the scene in its current state, if it needs photons, and binds it in place of any
-/// other.
+/// Traces the first photon map of the scene in its current state, if it needs photons, and binds it in place of the
+/// current map.
 void tracePhotons(Device& device, BandTracer& tracer, const RenderSettings& settings);
 /// Works for some milliseconds on the photon map for this sample of a picture with this many pixels. True once it is
 /// bound; always true if the scene has no photons.
@@ -58,13 +58,13 @@ void dropPhotons(BandTracer& tracer);
 
 /// Reallocates the film; its contents are lost.
 void resizeFilm(Device& device, BandTracer& tracer, FilmRoom film);
-/// Makes room in the film for this many samples per pixel; keeps its contents. Returns whether the film is another
-/// buffer now.
+/// Makes room in the film for this many samples per pixel; keeps its contents. Returns whether the film is now in
+/// another buffer.
 bool extendFilm(Device& device, BandTracer& tracer, std::uint32_t samples);
 /// Call after the scene's buffers have been rebuilt with the same features.
 void rebind(Device& device, BandTracer& tracer);
 
-/// Device memory of its buffers in bytes, without those of the scene.
+/// Device memory of the tracer's buffers in bytes, without those of the scene.
 std::uint64_t deviceBytes(const BandTracer& tracer);
 
 /// A sample of a band in progress.
@@ -114,7 +114,7 @@ struct PassesInFlight {
 PassesInFlight submitPasses(Device& device, BandTracer& tracer, BandSample& sample, std::uint32_t passes,
                             const std::function<void(VkCommandBuffer)>& then = {},
                             Submission submission = Submission::kNow);
-/// Waits for them, and adds their rays to counts. Returns the seconds that the device took.
+/// Waits for these passes, and adds their rays to counts. Returns the seconds that the device took.
 double finishPasses(Device& device, const BandTracer& tracer, const PassesInFlight& passes, RayCounts& counts);
 
 /// Whether a sample is known to be done after its camera rays and this many bounces. Deferred rays, from surfaces that

@@ -39,7 +39,7 @@ RenderSphere sphereAround(const RenderSpace& space, const Bounds& bounds) {
     return {0.5 * (lo + hi), 0.5 * length(hi - lo)};
 }
 
-/// In render units. If the scans are a single point: 1, the edge of the scan's cube.
+/// The scene's radius in render units; if the scans are a single point, 1, the edge of the scan's cube.
 double radiusOf(const DeviceScene& scene) {
     const double radius = sphereAround(scene.space, scene.bounds).radius;
     return radius > 0 ? radius : 1;

@@ -47,8 +47,8 @@ bool hasAttribute(const DeviceScan& scan, const char* name) {
     return pro_find_attribute(scan.file, name, &attribute) == 1;
 }
 
-/// Attributes that only surveying instruments and their programs write. Not intensity: Stanford's merged range scans
-/// have one too, beside a confidence.
+/// Attributes that only surveying instruments and their programs write. Intensity is not among them: Stanford's merged
+/// range scans have it too, besides a confidence.
 bool isSurvey(const DeviceScan& scan) {
     static constexpr std::array kNames = {"return_number", "number_of_returns", "classification", "gps_time", "ring"};
     return std::any_of(kNames.begin(), kNames.end(), [&](const char* name) { return hasAttribute(scan, name); }) ||

@@ -26,8 +26,8 @@ PlaceKind placeKindOf(const DeviceScene& scene, const SceneSample& sample, Vec3 
 /// @param up unit length
 std::optional<DefaultColors> defaultColors(const DeviceScene& scene, const SceneSample& sample, Vec3 up);
 
-/// Refuses an option for colours by value, with an Error kBadUsage, if color_by selects no value. @param option null:
-/// none
+/// Throws Error kBadUsage for an option that needs colours by value if color_by selects no value.
+/// @param option null: no such option was given
 void requireColored(const char* option, const std::string& color_by);
 
 } // namespace pointrt

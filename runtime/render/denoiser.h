@@ -36,7 +36,7 @@ struct Denoiser {
     Buffer result;                               ///< 4 floats per pixel: filtered linear rgb, alpha of the input
 };
 
-/// Four buffers and the result with four floats, slopes with two, and two guides with one.
+/// Per pixel: four floats in each of four buffers and the result, two in the slopes, one in each of two guides.
 constexpr std::uint64_t kDenoiserBytes = (5 * 4 + 2 + 2) * sizeof(float);
 
 /// For pictures of width x height pixels (at least 1) in the buffers of inputs, which must outlive the denoiser.
@@ -50,9 +50,10 @@ void destroyDenoiser(Device& device, Denoiser& denoiser);
 /// Method: divides by the albedo; clamps fireflies, pixels over 6 times as bright as their second brightest neighbour
 /// with a standard deviation of more than a quarter of their brightness, to that neighbour's brightness, which loses
 /// energy; then applies 5 levels of an a-trous wavelet with taps 1, 2, 4, 8 and 16 pixels apart, weighted by normal,
-/// distance from the plane of the surface, and luminance relative to its variance, where a pixel whose noise explains
-/// it counts with the median luminance around it; and multiplies by the albedo. On outlines between surfaces whose
-/// albedos differ, the result stays within the colours around the pixel. Pixels of variance 0 are unchanged.
+/// distance from the plane of the surface, and luminance relative to its variance, after the luminance has been moved
+/// towards the median around the pixel as far as noise explains the difference; and multiplies by the albedo. On
+/// outlines between surfaces whose albedos differ, the result stays within the colours around the pixel. Pixels of
+/// variance 0 are unchanged.
 /// Preserves the mean of symmetric noise; exponential noise at 4 samples loses 1.5%. Pixels of alpha 0 are copied;
 /// partly covered ones are averaged only with those in the same eighth of alpha. Pixels that are not finite take the
 /// mean of their 8 neighbours; light is clamped to 1e9 times the albedo. Dammertz et al., Edge-Avoiding A-Trous Wavelet

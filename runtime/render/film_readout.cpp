@@ -173,7 +173,7 @@ void restoreValues(std::size_t at, const std::vector<float>& values, float sampl
 template <typename Source>
 void restoreValues(std::size_t, const std::vector<std::uint32_t>&, float, PixelLight&) {}
 
-/// The film sums of a pixel over that many samples; last: mean luminance of the last one.
+/// The film sums of a pixel over that many samples.
 PixelLight restoredPixel(const Film& film, std::size_t at, std::uint32_t samples) {
     PixelLight pixel{};
     const auto sum = static_cast<float>(samples);

@@ -23,7 +23,7 @@ struct FrameBuffers {
     std::uint64_t device_bytes = 0;
 };
 
-/// Largest number of samples, of parts of a band, in one submission.
+/// Limit for the samples in one submission; each part of a band counts separately.
 constexpr std::uint32_t kSamplesAtOnce = 64;
 
 /// Number of tiles of TILE_SIDE x TILE_SIDE pixels, the last ones padded, and of their lanes.
@@ -47,7 +47,7 @@ struct FilmRoom {
     std::uint32_t samples = 1; ///< per pixel
 };
 
-/// Layers of a film: those of one batch of samples, twice that if there may be earlier batches.
+/// The number of layers of a film: those of one batch of samples, twice as many if there may be earlier batches.
 std::uint32_t filmLayers(std::uint32_t samples);
 
 /// Which Gaussians rays may pass through: none, those of one instance, or of several.

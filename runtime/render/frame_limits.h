@@ -33,9 +33,9 @@ struct FrameState {
 };
 
 /// Samples per pixel after which to check noise and time again; now.samples if the frame is done. Checks come at
-/// doubling counts, sooner if a limit is near. So there are few checks, and the bands of a large image, each of which
-/// is rendered up to the next check, stay within a factor of 2 of each other. progressive: check even without limits,
-/// so that an interrupted frame has samples everywhere.
+/// doubling counts, sooner if a limit is near. This keeps checks few, and the sample counts of a large image's bands,
+/// each rendered up to the next check, within a factor of 2 of each other. progressive: check even without limits, so
+/// that an interrupted frame has samples everywhere.
 std::uint32_t nextCheck(const FrameLimits& limits, bool progressive, std::uint32_t most, const FrameState& now);
 
 /// Progress in [0, 1], by the limit that is closest to being reached: samples, time, or noise, which falls as 1 /
@@ -47,9 +47,9 @@ bool judgesNoise(const FrameState& now);
 
 /// Root mean square over the pixels of the standard error of the luminance over (luminance + 1% of the picture's mean
 /// luminance), from film.variance: the square root of the relative mean squared error of Rousselle, Knaus and Zwicker,
-/// Adaptive Sampling and Reconstruction using Greedy Error Minimization, 2011, with the true error estimated. Pixels
-/// count at most 1, so a few fireflies do not dominate. Samples are assumed independent; as they
-/// are stratified, it overestimates. Infinite if a pixel has fewer than 2 samples.
+/// Adaptive Sampling and Reconstruction using Greedy Error Minimization, 2011, with the true error estimated. Each
+/// pixel contributes at most 1, so a few fireflies do not dominate. Samples are assumed independent; as they are
+/// stratified, this overestimates the noise. Infinite if a pixel has fewer than 2 samples.
 double relativeNoise(const Film& film);
 
 constexpr std::uint64_t kNoiseBytes = 2 * sizeof(float);

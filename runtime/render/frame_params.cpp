@@ -61,10 +61,11 @@ PanoramaRay panoramaCenterRay(const RenderSettings& settings, const Camera& came
 /// Margin of the box around all instances, as a share of its size: more than the rounding error of the ray test.
 constexpr float kBoundsMargin = 1e-4f;
 
-/// Half the edge of a box around everything; its square is a float.
+/// Half the edge of a box around everything; its square does not overflow a float.
 constexpr float kEverywhere = 1e15f;
 
-/// A point of an instance's cube in render space, by the transposed rows: they are those of a scaled rotation.
+/// A point of an instance's cube in render space, by the transposed rows, since the rows are those of a scaled
+/// rotation.
 std::array<float, 3> renderFromCube(const gpu::InstanceParams& p, std::array<float, 3> cube) {
     const float x = cube[0] - p.row_x.w, y = cube[1] - p.row_y.w, z = cube[2] - p.row_z.w;
     const float squared = p.splat.w * p.splat.w;
@@ -88,7 +89,7 @@ void setInstanceBounds(const DeviceScene& scene, gpu::FrameParams& params) {
     constexpr float kFar = std::numeric_limits<float>::max();
     std::array<float, 3> low{kFar, kFar, kFar}, high{-kFar, -kFar, -kFar};
     for (const Instance& instance : scene.instances) {
-        // boxes of Gaussians that extend out of their cube count as everywhere
+        // Gaussians that extend beyond their cube count as being everywhere
         const bool everywhere = scene.files[instance.file].reaches_out;
         if (everywhere) low.fill(-kEverywhere);
         if (everywhere) high.fill(kEverywhere);

@@ -31,7 +31,7 @@ gpu::CullBoxes makeCullBoxes(const DeviceScene& scene, std::span<const std::size
 
 /// Number of boxes that the culling programs of a group of count instances are built for.
 std::uint32_t cullProgramSize(std::size_t count);
-/// All such numbers that the scene's instances need now or may need when tiles are loaded.
+/// All values of cullProgramSize that the scene's instances need now or may need when tiles are loaded.
 std::vector<std::uint32_t> cullProgramSizes(const DeviceScene& scene);
 
 } // namespace pointrt

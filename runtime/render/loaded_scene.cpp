@@ -94,8 +94,8 @@ void chooseColorsByDefault(LoadedScene& loaded) {
     loaded.colored_by_default = true;
 }
 
-/// The reflectance that lamps adapt to. For an eye within the scene, the mean of what its camera sees: that fills the
-/// picture, and it may be darker or brighter than the rest of the scan.
+/// The reflectance that lamps adapt to. For an eye within the scene, the mean of what the camera sees, since it fills
+/// the picture and may be darker or brighter than the rest of the scan.
 StudioSubject subjectOf(const LoadedScene& loaded, const Camera& camera, const FramedRequest& view) {
     constexpr double kViridisMean = 0.28; // mean of its 256 colours
     StudioSubject subject{brightReflectance(loaded.kept_sample), view.within,

@@ -65,8 +65,7 @@ MeasureUnits measureUnits(const LoadedScene& loaded);
 TurntableAxis turntableAxis(const LoadedScene& loaded);
 
 /// The camera for one picture of a moving camera: on a turntable, or on the path through the scene's views. Throws
-/// Error
-/// kBadUsage if the path has fewer than two views, and as frameCamera does.
+/// Error kBadUsage if the path has fewer than two views, and as frameCamera does.
 /// @param first of the turntable
 /// @param frame below frames
 Camera movingCamera(const LoadedScene& loaded, const Camera& first, bool follows_views, std::uint32_t frame,
@@ -85,7 +84,7 @@ struct LoadRequest {
     bool chooses_integrator = false;       ///< path trace scans seen from outside that are lit by default
     bool fov_is_free = false;              ///< not specified by the user: framing may widen it
     double free_share = 1;                 ///< uncovered share of the picture's width, from the left
-    std::uint64_t memory = kTileMemory;    ///< bytes, for pictures of sets
+    std::uint64_t memory = kTileMemory;    ///< limit in bytes, see kTileMemory
     bool roots_alone = false;              ///< load only the root tiles of sets now; others follow later
     /// Number of pictures of a moving camera to select tiles for; 0: the initial camera only.
     std::uint32_t turntable = 0;
@@ -98,9 +97,8 @@ struct LoadRequest {
 /// Called at the start of each stage of loading, with its name and the progress in [0, 1]. May throw to cancel loading.
 using LoadStage = std::function<void(const char* stage, double share)>;
 
-/// Loads on the calling thread. worker: the device of that thread made from owner, or owner. stage may be empty. Throws
-/// Error as
-/// openScene, frameCamera and uploadSceneTables do.
+/// Loads on the calling thread. worker: that thread's device, made from owner, or owner itself. stage may be empty.
+/// Throws Error as openScene, frameCamera and uploadSceneTables do.
 std::unique_ptr<LoadedScene> loadScene(Device& owner, Device& worker, const LoadRequest& request,
                                        const LoadStage& stage);
 

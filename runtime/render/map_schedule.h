@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Progressive photon mapping: the samples of a picture use a sequence of photon maps with ever narrower discs, so that
 // their mean converges (Hachisuka, Ogaki and Jensen, Progressive Photon Mapping, 2008; Knaus and Zwicker, Progressive
-// Photon Mapping: A Probabilistic Approach, 2011). It depends only on the sample's number: resumed films
-// equal films rendered without interruption.
+// Photon Mapping: A Probabilistic Approach, 2011). A sample's map depends only on its number and the picture's
+// size, so resumed films equal films rendered without interruption.
 #pragma once
 
 #include <cstdint>

@@ -47,11 +47,11 @@ public:
     void beginSample(std::uint32_t tiles) { tiles_ = tiles; }
     /// Sets the parameters of later passes.
     void setParams(const Buffer& buffer, const gpu::FrameParams& params);
-    /// Later passes see what it writes.
+    /// Later passes see what this one writes.
     void run(const Pass& pass);
     /// Copies the number of rays that hit each of the instances just traced to its counts[place]: the length of the hit
-    /// list, or, if several tiles were traced together, the counts of intersect_closest. Not if each pass is submitted
-    /// by itself.
+    /// list, or, if several tiles were traced together, the counts of intersect_closest. Does nothing if each pass is
+    /// submitted by itself.
     void copyHitCounts(const Buffer& counts, const std::vector<std::size_t>& places);
     /// Stores the counters as they are after the passes so far. At most `samples` times.
     void endSample();

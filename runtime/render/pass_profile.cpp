@@ -16,7 +16,7 @@ constexpr std::uint64_t kWord = sizeof(std::uint32_t), kVector = sizeof(gpu::vec
 constexpr std::uint64_t kPath = sizeof(gpu::PathState), kQuery = sizeof(gpu::DirectLightQuery);
 /// Bytes of a queued path whose throughput is not needed.
 constexpr std::uint64_t kQueuedRay = kPath - kVector;
-/// Stored once and loaded once by the pass that shades it; the hit is loaded and stored.
+/// The surface is stored once, and loaded once by the pass that shades it; the hit is loaded and stored.
 constexpr std::uint64_t kSurfaceOfHit = 2 * sizeof(gpu::StoredSurface) + 2 * kHit;
 constexpr std::uint64_t kShadowRay = sizeof(gpu::ShadowRay);
 /// Two of the waiting Gaussians, stored or loaded.

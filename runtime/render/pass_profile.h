@@ -38,9 +38,9 @@ struct HostTally {
 /// measured too; otherwise the passes of a submission are timed within it.
 struct PassClock {
     GpuTimer timer;
-    Buffer /// Gpu::Control before each pass of a submission and after the last; without a handle if each pass is
-           /// submitted separately.
-        counters;
+    /// gpu::Control before each pass of a submission and after the last; without a handle if each pass is submitted
+    /// separately.
+    Buffer counters;
 };
 
 /// Owned by the caller: free it with destroyPassClock before the device.

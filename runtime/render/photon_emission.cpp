@@ -61,7 +61,7 @@ double pairFlux(const gpu::Light& light, const PhotonTarget& target, RenderSpher
     return sum / kTrialPhotons * brightness(light);
 }
 
-/// A valid path never has only zero bits.
+/// The bits of a valid path are never all zero.
 bool isEmitted(const gpu::PathState& path) { return path.bits != 0; }
 
 } // namespace

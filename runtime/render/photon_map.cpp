@@ -28,9 +28,9 @@ double squaredDistance(const gpu::Photon& a, const gpu::Photon& b) {
     return x * x + y * y + z * z;
 }
 
-/// The 1/8 quantile of the distances of kProbes photons to their kKernelPhotons-th neighbour. If there are
-/// many photons, it searches only every n-th of them, for the neighbour of a rank n times lower; averaging over the
-/// probes makes up for the lower precision.
+/// The 1/8 quantile of the distances of kProbes photons to their kKernelPhotons-th neighbour. If there are many
+/// photons, searches only every n-th of them, for the neighbour of a rank n times lower; averaging over the probes
+/// makes up for the lower precision.
 double finestRadius(const std::vector<gpu::Photon>& photons) {
     const std::size_t thinning = std::clamp<std::size_t>(photons.size() / kSearched, 1, kKernelPhotons / 4);
     std::vector<gpu::Photon> searched;

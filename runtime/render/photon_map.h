@@ -23,8 +23,8 @@ struct PhotonMap {
 };
 
 /// Assigns a level to each photon, sorts the photons and builds the lists. If discs.finest is 0, the finest discs hold
-/// kKernelPhotons where light is most focused, with a radius of at most kMaxRadius of scene_radius. Without photons the
-/// map is empty.
+/// kKernelPhotons where light is most focused, with a radius of at most kMaxRadius times scene_radius. Without photons
+/// the map is empty.
 PhotonMap sortPhotons(std::vector<gpu::Photon> photons, double scene_radius, PhotonDiscs discs = {});
 
 } // namespace pointrt

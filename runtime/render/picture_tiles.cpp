@@ -13,7 +13,7 @@ namespace {
 /// tiles outside the views to their pixel size (kUnseenPixelScale); the third finds nothing left to refine.
 constexpr int kTileRounds = 3;
 
-/// Number of cameras for which a moving camera selects tiles.
+/// Limit for the positions of a moving camera for which tiles are selected.
 constexpr std::uint32_t kTurntableCameras = 64;
 
 /// Memory of a process in addition to tiles and the filter, measured with lavapipe: the driver and its programs up to

@@ -17,7 +17,8 @@ TileRequest tileRequest(const Device& device, const LoadedScene& loaded, const L
 /// programs. Needs loaded tiles and a tracer; its photons are not used.
 void refineTiles(Device& device, LoadedScene& loaded, const LoadRequest& request);
 
-/// Replaces the tiles by those for a picture from the loaded camera, refined: the same as a scene loaded for it has.
+/// Replaces the tiles by those for a picture from the loaded camera, refined: the same tiles as in a scene loaded for
+/// that camera.
 void reselectTiles(Device& device, LoadedScene& loaded, const LoadRequest& request);
 
 } // namespace pointrt

@@ -142,7 +142,7 @@ bool queuesShadowRays(const Programs& all) {
     return all.catches_shadows || (all.has_direct_lighting && !storesShadowRays(all));
 }
 
-/// Orders the programs for the tiles in a block.
+/// Appends orders for the programs that trace the tiles in a block.
 void orderPooled(Constants constants, const Programs& all, InstancePrograms& programs, std::vector<Order>& orders) {
     constants.cull_boxes = constants.instance.pooled_tiles;
     const auto order = [&](Program& program, const char* name, std::span<const std::uint32_t> spirv) {
@@ -219,7 +219,7 @@ Order intersectShadowShapes(const Constants& constants, Programs& programs) {
     return {&programs.intersect_shadow_shapes, "intersect_shadow_shapes", intersect_shadow_shapes_spv, constants};
 }
 
-/// Orders the programs with which Gaussians catch shadows.
+/// Appends orders for the programs with which Gaussians catch shadows.
 void orderShadowCatcher(const Constants& constants, const Constants& of_camera, Programs& programs,
                         std::vector<Order>& orders) {
     orders.push_back(
@@ -231,7 +231,7 @@ void orderShadowCatcher(const Constants& constants, const Constants& of_camera, 
     orders.push_back({&programs.shade_shadow_catcher, "shade_shadow_catcher", shade_shadow_catcher_spv, constants});
 }
 
-/// Orders the programs that composite Gaussians of several instances.
+/// Appends orders for the programs that composite Gaussians of several instances.
 void orderBlending(const Constants& constants, const Constants& of_camera, Programs& programs,
                    std::vector<Order>& orders) {
     orders.push_back({&programs.blend_first_hits, "blend_first_hits", blend_first_hits_spv, of_camera});
@@ -240,7 +240,7 @@ void orderBlending(const Constants& constants, const Constants& of_camera, Progr
         orders.push_back({&programs.queued.blend_gaussians, "blend_gaussians", blend_gaussians_spv, constants});
 }
 
-/// Orders the programs for the queries of LIST_DIRECT_LIGHT.
+/// Appends orders for the programs that process the queries of LIST_DIRECT_LIGHT.
 void orderDirectLight(const Constants& constants, Programs& programs, std::vector<Order>& orders) {
     orders.push_back({&programs.shade_shadow, "shade_shadow", shade_shadow_spv, constants});
     if (programs.form == KernelForm::kMegakernel && programs.inline_nee) return;
@@ -273,7 +273,7 @@ void orderCull(std::uint32_t boxes, Constants constants, const Programs& all, Cu
     if (queuesShadowRays(all)) orders.push_back({&programs.shadow, "cull_shadow", cull_shadow_spv, constants});
 }
 
-/// Orders culling programs for the numbers of instances that the scene has or may have.
+/// Appends orders for the culling programs, by the numbers of instances that the scene has or may have.
 void orderCulling(const DeviceScene& scene, const Constants& constants, Programs& programs,
                   std::vector<Order>& orders) {
     const bool accumulates = mayCull(scene) || hasGaussians(scene);
@@ -287,7 +287,7 @@ void orderCulling(const DeviceScene& scene, const Constants& constants, Programs
     }
 }
 
-/// Orders programs for instances with traits that no earlier instance has.
+/// Appends orders for the programs of instances whose traits no earlier instance has.
 void orderInstances(const DeviceScene& scene, const Constants& constants, Programs& programs,
                     std::vector<Order>& orders) {
     const auto add = [&](const InstanceTraits& traits) {

@@ -45,7 +45,7 @@ struct CullPrograms {
 /// All declare the same bindings in set 0 (shaders/lib/bindings.glsl), those for paged instances also in set 1.
 struct Programs {
     KernelForm form = KernelForm::kWavefront;
-    /// If false, the programs that only they need are not built.
+    /// If one is false, the programs that only it needs are not built.
     bool has_secondary_rays = true, has_direct_lighting = true;
     bool samples_one_light = false; ///< at each hit, instead of every light
     bool one_bounce = false;        ///< a megakernel traces one bounce per dispatch
@@ -66,14 +66,14 @@ struct Programs {
 
 /// Builds the programs that the scene needs for the settings' integrator, in the requested form if possible.
 Programs createPrograms(Device& device, const DeviceScene& scene, const RenderSettings& settings, FormRequest form);
-/// After the scene's instances have changed: builds the programs that they need in addition.
+/// Call after the scene's instances have changed: builds the additional programs that they need.
 void addPrograms(Device& device, const DeviceScene& scene, const RenderSettings& settings, Programs& programs);
 void destroyPrograms(Device& device, Programs& programs);
 
 const InstancePrograms& programsFor(const Programs& programs, const DeviceScene& scene, const Instance& instance);
 
-/// Descriptor sets with the buffers of an instance (and its pages if it has any), of the frame, of the caustics and
-/// cull boxes, for all programs and those of the instance. They take two sets of the pool.
+/// Descriptor sets with the buffers of an instance (and its pages if it has any), the frame, the caustics and the cull
+/// boxes, for all programs including the instance's own. They take two sets of the pool.
 DescriptorSets bindInstance(Device& device, VkDescriptorPool pool, const Programs& programs, const DeviceScene& scene,
                             const Instance& instance, const FrameBuffers& buffers, const CausticMap& caustics,
                             const Buffer& cull_boxes);

@@ -68,7 +68,7 @@ bool ProgressiveRenderer::openStrip(std::uint32_t most_rows) {
     return true;
 }
 
-/// Moves the band to sample next to the device.
+/// Puts the next band to sample on the device.
 bool ProgressiveRenderer::openNextBand() {
     const FrameBand* next = schedule_->next();
     if (!next) return false;
@@ -155,7 +155,8 @@ Film ProgressiveRenderer::takeFilm() {
     return std::exchange(film_, {});
 }
 
-/// Stores the samples of the open band since the last call in the host's film, or passes the rows to take_rows.
+/// Stores the samples that the open band has gained since the last call in the host's film, or passes the rows to
+/// take_rows.
 void ProgressiveRenderer::store() {
     if (!light_waits_) return;
     const Band& band = open_->band;

@@ -9,8 +9,8 @@ namespace pointrt {
 namespace {
 
 /// Largest number of rounds that composite Gaussians. With several instances, a round composites WAITING_GAUSSIANS for
-/// each ray; all rounds together 640, behind which hardly any ray has light left. With a single instance, a round ends
-/// where lavapipe ends its loops, after 65,535 iterations, which is some hundreds of Gaussians.
+/// each ray; all rounds together composite 640, beyond which hardly any ray has light left. With a single instance, a
+/// round ends where lavapipe ends its loops, after 65,535 iterations, which is some hundreds of Gaussians.
 constexpr std::uint32_t kMostRounds = 64;
 
 /// The two lists in turn: a round reads one, and lists the rays that it leaves unfinished in the other.

@@ -24,7 +24,7 @@ void runOver(PassCommands& commands, const Program& program, const DescriptorSet
         commands.run({program, sets, pushBytes(push), PassLanes::kList, 0, rays.list});
 }
 
-/// Fills instances.
+/// Fills a TracedInstances.
 class InstanceBinder {
 public:
     InstanceBinder(Device& device, const Programs& programs, const DeviceScene& scene, const FrameBuffers& buffers,

@@ -41,7 +41,7 @@ struct TracedInstances {
 /// programs, scene and the bound buffers must outlive the result. Free it with destroyTracedInstances.
 TracedInstances bindTracedInstances(Device& device, const Programs& programs, const DeviceScene& scene,
                                     const FrameBuffers& buffers, const CausticMap& caustics);
-/// Leaves it empty; it may be empty already.
+/// Leaves instances empty. They may be empty already.
 void destroyTracedInstances(Device& device, TracedInstances& instances);
 
 /// A list of rays to intersect with all instances.

@@ -29,7 +29,7 @@ struct NumberTable {
 };
 
 /// Columns are separated by commas, semicolons or blanks. Skips empty lines and comments starting with #; the first
-/// other line names the columns. Throws Error kBadInput "FILE[:LINE]: reason", also if there is no row.
+/// other line names the columns. Throws Error kBadInput "FILE[:LINE]: reason", also if there are no rows.
 NumberTable readNumberTable(const std::string& path);
 
 } // namespace pointrt

@@ -7,7 +7,8 @@
 
 namespace pointrt {
 
-/// East, north and up: x, y, z if up is +Z. Relative to an origin, so that plans of national grids keep their digits.
+/// East, north and up: x, y, z if up is +Z. Relative to an origin, so that plans of national grids keep their
+/// precision.
 struct PlanFrame {
     Vec3 origin, east, north, up;
 

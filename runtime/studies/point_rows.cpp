@@ -9,7 +9,7 @@
 namespace pointrt {
 namespace {
 
-/// 0 for an invalid measurement.
+/// The size at a row; `otherwise` if there are no sizes, 0 if it is invalid.
 double sizeAt(std::span<const float> sizes, std::size_t row, double otherwise) {
     if (sizes.empty()) return otherwise;
     const double size = sizes[row];

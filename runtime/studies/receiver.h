@@ -21,7 +21,8 @@ struct PulseHits {
     std::span<const float> reflectances;
 };
 
-/// Measures pulses: combines rays to returns, applies detection, noise and the choice of returns. Use one per thread.
+/// Measures pulses: combines rays into returns, and applies the detection threshold, noise and the selection of
+/// returns. Use one per thread.
 class LidarReceiver {
 public:
     /// sensor is valid (sensor_check.h) and outlives the receiver.

@@ -19,7 +19,7 @@ struct RayEcho {
 struct LidarReturn {
     double range = 0;  ///< mean of its echoes, weighted by power
     double power = 0;  ///< sum over its echoes
-    RayEcho strongest; ///< the strongest echo; of equal ones the nearest
+    RayEcho strongest; ///< the strongest echo; the nearest if several are equal
 };
 
 /// Sorts echoes by range and starts a new return at each gap wider than resolution. Overwrites returns, nearest first.

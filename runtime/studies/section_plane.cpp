@@ -25,7 +25,7 @@ SectionPlane sectionPlane(const std::string& text, const Position& up) {
     if (request.thickness)
         refuseUsage(text + ": section lines cannot have a thickness (omit the part after the colon)");
     const Section section = makeSection(request, planFrame({}, up).up);
-    // a tilted up is not in the plane, so it is projected to it
+    // a tilted up is not in the plane, so it is projected onto the plane
     const Vec3 upwards = section.up - dot(section.up, section.side) * section.side;
     const Vec3 in_plane = normalize(upwards);
     return {arrayOf(std::get<ClipPlane>(section.clips.front().form).point), arrayOf(cross(in_plane, section.side)),

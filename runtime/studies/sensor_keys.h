@@ -10,7 +10,7 @@
 
 namespace pointrt {
 
-/// Reads the one table of [spinning], [flash], [oscillating] and [table].
+/// Reads the pattern: exactly one of the tables [spinning], [flash], [oscillating] and [table].
 LidarPattern readPattern(const SceneValue& file);
 /// The names of these tables.
 std::vector<std::string_view> patternTables();

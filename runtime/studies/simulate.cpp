@@ -13,7 +13,7 @@ namespace {
 
 /// Doubles hold all integers up to here.
 constexpr double kMostPulses = 0x1p53;
-/// Tasks of a block: enough for many cores, but each takes much longer than to start it.
+/// Tasks of a block: enough for many cores, but each takes much longer than starting it.
 constexpr std::size_t kSlices = 64;
 
 /// Pulses of all periods that start before the end. Times are rounded, so a period that starts within a millionth of a

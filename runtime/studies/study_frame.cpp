@@ -31,7 +31,7 @@ void requireOnEarth(GeoPlace place) {
     if (!(std::abs(place.longitude_deg) <= 180)) refuseUsage("the longitude must be from -180 to 180 degrees");
 }
 
-/// Whether a place lies within the area or at most a UTM zone's width beside it.
+/// Whether a place lies within the area, or outside it by at most the width of a UTM zone.
 bool isNear(const AreaOfUse& area, GeoPlace place) {
     constexpr double kMarginDeg = 6;
     const auto eastOf = [](double longitude, double origin) { // 0 to 360 degrees

@@ -42,7 +42,7 @@ public:
         if (corners_.size() < 2) refuseMeasure("the line has no horizontal length");
         step_ = step > 0 ? step : ends_.back() / kDefaultStations;
         if (!(ends_.back() / step_ < kMostStations)) refuseMeasure("the step is too short: more than 2^22 stations");
-        // in steps: the end of the line is a station of its own unless it is this close to the last one
+        // in steps: the end of the line gets its own station unless the last station is this close to it
         constexpr double kRounding = 1e-6;
         count_ = static_cast<std::size_t>(std::ceil(ends_.back() / step_ - kRounding)) + 1;
     }
@@ -102,7 +102,7 @@ struct OpenRay {
     double z;
 };
 
-/// All surfaces along the rays of these stations, or with one layer the first ones.
+/// All surfaces along the rays of these stations; with one layer, only the first.
 void castLayers(const VerticalRays& rays, std::span<const Station> stations, std::uint32_t layers, double apart,
                 std::vector<ProfilePoint>& points) {
     std::vector<std::vector<ProfilePoint>> found(stations.size());

@@ -5,8 +5,8 @@
 
 namespace pointrt {
 
-/// The abbreviation of the unit of this many metres: "m", "cm", "mm", "ft", "ftUS" (that of the US surveys before
-/// 2023); "" if it is unknown (0) or another.
+/// The abbreviation of the unit with a length of this many metres: "m", "cm", "mm", "ft", "ftUS" (the US survey foot,
+/// used until 2022); "" if it is unknown (0) or another.
 std::string unitName(double metres);
 
 } // namespace pointrt

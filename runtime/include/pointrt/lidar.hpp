@@ -6,8 +6,8 @@
 //   pointrt::simulateLidar(scene, sensor, run, [](const pointrt::LidarPoints& points) { ... });
 //
 // The scanner's frame: x forward, y left, z up. Azimuths increase from x towards y, elevations upward from the xy
-// plane. Lengths of sensors are in metres, positions in the scan's coordinates. Points depend only on the scene, the
-// sensor, the run's times and its seed, not on threads or batch sizes. Everything throws TraceError or std::bad_alloc.
+// plane. Sensor lengths are in metres, positions in the scan's coordinates. Points depend only on the scene, the sensor
+// and the run, not on the number of threads or the batch size. Everything throws TraceError or std::bad_alloc.
 #pragma once
 
 #include <array>
@@ -33,7 +33,8 @@ struct LidarSpinning {
     bool clockwise = false;             ///< seen from above
 };
 
-/// A flash lidar: all pixels of a pinhole camera along x at once, rows from the top, pixels from the left.
+/// A flash lidar: fires all pixels of a pinhole camera that looks along x at once, rows from the top, pixels from the
+/// left.
 struct LidarFlash {
     std::uint32_t width = 0, height = 0;  ///< pixels, 1 to 65536; a row is a ring
     double width_deg = 0, height_deg = 0; ///< field of view, from edge to edge; above 0, below 180
@@ -45,7 +46,7 @@ struct LidarOscillating {
     double field_of_view_deg = 0; ///< from side to side; above 0, below 180
     double scan_hz = 0;           ///< full cycles, left to right and back; above 0
     double pulse_hz = 0;          ///< above 0
-    bool sinusoidal = false;      ///< the angle is a sine of time, else a triangle wave
+    bool sinusoidal = false;      ///< true: the angle is a sine of time; false: a triangle wave
 };
 
 struct LidarBeam {
@@ -66,7 +67,7 @@ using LidarPattern = std::variant<LidarSpinning, LidarFlash, LidarOscillating, L
 /// The returns of a pulse to keep; return numbers count only these.
 enum class LidarKept { kAll, kFirst, kLast, kStrongest };
 
-/// The reflectance of surfaces, 0 to 1. Shapes of scene files have the constant value.
+/// The reflectance of surfaces, 0 to 1. Shapes of scene files always have the constant `value`.
 struct LidarReflectance {
     enum class Source {
         kScan,      ///< the attribute "intensity" if the scene has it, else the colour
@@ -90,12 +91,12 @@ struct LidarSensor {
 
     double divergence_mrad = 0;    ///< full angle of the beam, at 1 / e^2 of the central irradiance
     std::uint32_t rays = 1;        ///< rays per pulse, 1 to 4096; 1 traces the beam's axis only
-    double range_resolution_m = 0; ///< hits closer together merge to one return; above 0 with several rays
+    double range_resolution_m = 0; ///< hits closer together merge into one return; above 0 if rays > 1
     LidarKept kept = LidarKept::kAll;
     std::uint32_t most_returns = 5; ///< maximum per pulse, nearest first; 1 to 15
 
     LidarReflectance reflectance;
-    /// Power 1 is the return of a white surface that faces the whole beam at this range; 0: half of max_range_m.
+    /// The range at which a white surface that faces the beam and fills it returns power 1; 0: half of max_range_m.
     double reference_range_m = 0;
     double white_intensity = 4096;  ///< intensity of power 1; above 0. Intensities are clamped to 65535
     bool range_corrected = false;   ///< normalise intensities to the reference range
@@ -154,8 +155,8 @@ struct LidarPoints {
 /// The number of pulses of a run. Throws kBadUsage for an invalid sensor or run.
 std::uint64_t lidarPulseCount(const LidarSensor& sensor, const LidarRun& run);
 
-/// Measures scene and passes the points to take, block by block, in bounded memory. An exception from take ends the
-/// run. Throws kBadUsage for an invalid sensor or run, kCannotRun if the device is lost.
+/// Simulates a run and passes its points to `take`, block by block, in bounded memory. An exception from `take` ends
+/// the run. Throws kBadUsage for an invalid sensor or run, kCannotRun if the device is lost.
 ///
 /// Beams: sub-rays on a golden-angle spiral (Vogel 1979), with equal shares of a Gaussian beam's power within its 1 /
 /// e^2 cone, rotated randomly for each pulse. Their hits are sorted by range and split at gaps larger than the range

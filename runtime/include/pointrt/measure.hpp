@@ -2,12 +2,15 @@
 // Measuring scans: distances, angles and areas between points, fitted circles and spheres, volumes over a base plane,
 // profiles of surfaces, and distances between two surfaces.
 //
-//   const pointrt::PathMeasures gap = pointrt::measurePath(std::vector<pointrt::Position>{{0, 0, 0}, {3, 4, 12}}, {0,
-//   0, 1}); gap.last_leg, gap.horizontal, gap.height; // 13, 5, 12 const pointrt::Volume heap =
-//   pointrt::measureVolume(scene, rim, {.up = pointrt::scanUp("heap.pro")}); heap.cut, heap.fill;
+//   const std::vector<pointrt::Position> legs{{0, 0, 0}, {3, 4, 12}};
+//   const pointrt::PathMeasures gap = pointrt::measurePath(legs, {0, 0, 1});
+//   gap.last_leg, gap.horizontal, gap.height; // 13, 5, 12
+//   const pointrt::Volume heap = pointrt::measureVolume(scene, rim, {.up = pointrt::scanUp("heap.pro")});
+//   heap.cut, heap.fill;
 //
 // All lengths are in the unit of the coordinates, areas and volumes in its square and cube. Positions are doubles, so
-// national grids lose nothing. Everything is thread-safe, and throws TraceError or std::bad_alloc.
+// coordinates of national grids keep their precision. Everything is thread-safe, and throws TraceError or
+// std::bad_alloc.
 #pragma once
 
 #include <array>
@@ -36,9 +39,9 @@ struct PathMeasures {
     double horizontal = 0;           ///< of the last leg, across up
     double height = 0;               ///< of the last leg, along up; negative if it goes down
     double slope_deg = 0;            ///< of the last leg, from horizontal: -90 to 90
-    std::optional<double> angle_deg; ///< 0 to 180; 180 if the two legs are in line
+    std::optional<double> angle_deg; ///< between the last two legs, 0 to 180; 180 if they are in line
     /// The area of the polygon that the points enclose, for three points or more. If the polygon is not flat, its
-    /// vector area: the area of its projection to the plane in which it is largest.
+    /// vector area: the area of its projection onto the plane where that is largest.
     std::optional<double> area;
     std::optional<double> plan_area; ///< of the polygon seen along up
     std::optional<double> perimeter; ///< of the polygon
@@ -72,9 +75,10 @@ FittedSphere fitSphere(std::span<const Position> points);
 
 // ---- of surfaces ----
 
-/// The nearest point of the scene's surface to each point: rays in all directions find the surface, further ones follow
-/// its normals to the foot of the perpendicular. A detail that appears smaller than 10 degrees from the point may be
-/// missed. NaN for a point from which no ray hits a surface. Throws kBadUsage for coordinates that are not finite.
+/// The nearest point of the scene's surface to each point: rays in all directions find the surface, then further rays
+/// follow its normals to the foot of the perpendicular. A detail that appears smaller than 10 degrees from the point
+/// may be missed. NaN for a point from which no ray hits a surface. Throws kBadUsage for coordinates that are not
+/// finite.
 std::vector<Position> snapToSurface(const TraceScene& scene, std::span<const Position> points);
 
 /// Moves each point vertically to the surface visible from above: the first hit of a ray cast against up, a unit
@@ -117,7 +121,7 @@ struct ProfileRules {
     std::optional<double> start_height = {}; ///< position along up where rays start; none: outside the scene
     bool all = false;                        ///< true: all surfaces along the rays; false: the first
     double apart = 0; ///< with all: surfaces less than this apart count as one; unit of the scene, at least 0
-    double width = 0; ///< of a band along the line, across which a station takes the median; 0: one ray per station
+    double width = 0; ///< of a band along the line: a station is the median across it; 0: one ray per station
 };
 
 /// A point of a profile.
@@ -162,9 +166,9 @@ struct SectionPlane {
     Position right{1, 0, 0}, up{0, 1, 0}; ///< in the plane, perpendicular, unit length
 };
 
-/// A plane in the notation of pointrt-view --section: "z=1.2", "x=3", "-x=3" (seen from the other side), "X0,Y0,X1,Y1".
-/// Axes of
-/// drawings are those of its pictures. Throws kBadUsage for any other text, and for a thickness.
+/// A plane in the notation of pointrt-view --section: "z=1.2", "x=3", "-x=3" (seen from the other side),
+/// "X0,Y0,X1,Y1". The drawing's axes are those of pointrt-view's picture. Throws kBadUsage for any other text, and for
+/// a thickness.
 /// @param up of the scene, unit length
 SectionPlane sectionPlane(const std::string& text, const Position& up);
 /// The plane perpendicular to up, a unit vector, at a height along it; drawn with north up.
@@ -173,7 +177,7 @@ SectionPlane levelPlane(double height, const Position& up);
 struct SectionRules {
     /// Distance between the rays that sweep the plane; above 0. Surfaces closer together than two steps become one.
     double step = 0;
-    double gap = 0;       ///< widest gap to join lines across; gaps of 2.5 steps are always closed
+    double gap = 0;       ///< widest gap to join lines across; gaps up to 2.5 steps are always closed
     double tolerance = 0; ///< largest distance by which simplified lines may deviate from the points that rays hit
     double shortest = 0;  ///< length of the shortest line to keep
 };
@@ -184,11 +188,11 @@ struct SectionLine {
     std::vector<Position> points;
 };
 
-/// The lines in which a plane cuts the scene's surfaces, all of them, as in a floor plan. Rays sweep the plane along
-/// both axes and from both ends, through every surface; each crosses the surfaces at less than 55 degrees from its
-/// perpendicular. Hits become lines along their normals, with corners where lines that end there meet. Surfaces within
-/// 12 degrees of the plane's own direction have no line. Throws kBadUsage for more than 2^22 rays, lengths that are
-/// negative, a step of 0, and numbers that are not finite.
+/// The lines in which a plane cuts all of the scene's surfaces, as in a floor plan. Rays sweep the plane along both
+/// axes and from both ends, through every surface; hits count if the angle between ray and normal is less than 55
+/// degrees. Hits are linked into lines perpendicular to their normals; lines whose extensions meet get a corner there.
+/// Surfaces within 12 degrees of parallel to the plane have no line. Throws kBadUsage for more than 2^22 rays, lengths
+/// that are negative, a step of 0, and numbers that are not finite.
 std::vector<SectionLine> sectionLines(const TraceScene& scene, const SectionPlane& plane, const SectionRules& rules);
 
 /// Distances of points from the scene's surface along their normals, on the nearer side, up to most: positive if the
@@ -202,7 +206,7 @@ std::vector<SectionLine> sectionLines(const TraceScene& scene, const SectionPlan
 std::uint64_t surfaceDistances(const TraceScene& scene, const StudyPoints& points, double most,
                                std::span<double> distances);
 
-/// Statistics of signed distances; those that are NaN only count as missing.
+/// Statistics of signed distances; NaN distances only count as missing.
 struct DistanceStatistics {
     std::uint64_t count = 0, missing = 0;
     double mean = 0, deviation = 0; ///< standard deviation

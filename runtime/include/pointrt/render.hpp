@@ -24,8 +24,8 @@
 
 namespace pointrt {
 
-/// A camera as with pointrt-view's --eye, --target, --up and --fov, in the scan's coordinates. Missing parts are framed
-/// automatically: without any, the camera sees the whole scene from the side that shows most of it.
+/// A camera as with pointrt-view's --eye, --target, --up and --fov, in the scan's coordinates. Missing parts are chosen
+/// automatically: an empty LookAt sees the whole scene from the side that shows most of it.
 struct LookAt {
     std::optional<std::array<double, 3>> eye = {}, target = {};
     std::optional<std::array<double, 3>> up = {}; ///< of the picture; none: the scene's
@@ -67,10 +67,11 @@ struct Picture {
     const PictureLayer& layer(const std::string& name) const;
 };
 
-/// Render settings, by the names of pointrt-view's options without dashes: {"integrator", "path"}, {"bounces", "8"},
-/// {"spp", "64"}, {"seed", "7"}, {"lights", "3"}, {"color-by", "height"}. Also "up", the scene's up direction;
-/// "memory", the limit for tiles of sets; and "staged-for", "X,Y,Z": the eye for which default lights and rooms are
-/// placed (default: the default camera's). Names may have _ in place of -. Sun, sky and materials need scene files.
+/// Render settings, by the names of pointrt-view's options without the leading dashes: {"integrator", "path"},
+/// {"bounces", "8"}, {"spp", "64"}, {"seed", "7"}, {"lights", "3"}, {"color-by", "height"}. Also "up", the scene's up
+/// direction; "memory", the limit for tiles of sets; and "staged-for", "X,Y,Z": the eye for which default lights and
+/// rooms are placed (default: the default camera's). Names may have _ in place of -. Sun, sky and materials need scene
+/// files.
 using PictureSettings = std::map<std::string, std::string>;
 
 /// All layers:

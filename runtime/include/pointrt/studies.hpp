@@ -9,10 +9,10 @@
 //   const pointrt::Lights sun = pointrt::sunLights({{47.4, 8.5}, {2026, 6, 21}, {2026, 6, 21}}, frame);
 //   pointrt::sumLights(scene, points.rows(), sun, {.sides = points.sides(), .up = frame.up}, hours);
 //
-// A study point is a disc, or a position in the air. Its rays start on the disc, a quarter of its radius above it on
-// the side where they leave. Self-intersections are ignored: hits on discs less than 3 radii above the point's disc (or
-// 5 standard deviations of its noise), parallel to it within 60 degrees and crossed in the same direction. Secondary
-// rays of pictures follow the same rules (shaders/trace/offset.glsl), except for grazing rays: here the
+// A study point is a disc, or a position in the air. Rays from a disc start a quarter of its radius above it, on the
+// side from which they leave. Self-intersections are ignored: hits on discs less than 3 radii above the point's disc
+// (or 5 standard deviations of its noise), parallel to it within 60 degrees and crossed in the same direction.
+// Secondary rays of pictures follow the same rules (shaders/trace/offset.glsl), except for grazing rays: here the
 // self-intersection distance of rays below 2 degrees is that of rays at 2 degrees.
 //
 // Everything is thread-safe, and throws TraceError or std::bad_alloc.
@@ -71,8 +71,8 @@ public:
     ScenePointReader(ScenePointReader&&) noexcept;
     ScenePointReader& operator=(ScenePointReader&&) noexcept;
 
-    /// Replaces points by the next ones, at most most; false at the end. Does not set oriented; use sidesOf. Throws
-    /// kBadInput for an unreadable file.
+    /// Replaces points by the next ones, at most `most`; returns false at the end. Does not set oriented; use sidesOf.
+    /// Throws kBadInput for an unreadable file.
     bool next(ScenePoints& points, std::size_t most = kPoints);
 
 private:

@@ -8,9 +8,10 @@
 //   std::vector<double> t(1);
 //   scene.castRays(std::span<const double>(rays), {}, {.t_hit = t});
 //
-// Rays hit the scan's unblended discs; the nearest hit is the one that pictures shade. Gaussians are hit where half of
-// the light is hidden; the splat is then the one that adds most to it. All classes are thread-safe,
-// except that an object in use must not be moved or destroyed. Everything throws TraceError or std::bad_alloc.
+// Rays hit the scan's unblended discs; the nearest hit is the one that pictures shade. Gaussians are hit where they
+// have absorbed half of the light; splat_ids then has the Gaussian that contributes most up to there. All classes are
+// thread-safe, except that an object in use must not be moved or destroyed. Everything throws TraceError or
+// std::bad_alloc.
 #pragma once
 
 #include <array>
@@ -71,13 +72,13 @@ private:
 };
 
 /// The valid range of hit distances, in lengths of the direction: t_min <= t < t_max, with 0 <= t_min <= t_max.
-/// Disc positions relative to a limit are accurate to a hundredth of their radius.
+/// Disc positions relative to a limit are accurate to a hundredth of the disc's radius.
 struct RayLimits {
     double t_min = 0;
     double t_max = std::numeric_limits<double>::infinity();
 };
 
-/// Output arrays of castRays, a row per ray. Leave arrays empty that are not needed; other sizes than [N] throw
+/// Output arrays of castRays, a row per ray. Leave arrays that are not needed empty; any other size than [N] throws
 /// kBadUsage.
 struct HitArrays {
     std::span<double> t_hit = {};               ///< [N], lengths of the direction; +infinity for a miss
@@ -91,16 +92,16 @@ struct HitArrays {
 /// Options for loading a scene.
 struct SceneOptions {
     /// Memory limit in bytes for the tiles of tile sets, on the host and on the device; default 2 GiB. On a device with
-    /// dedicated memory at most three quarters of that are used. If the tiles do not all fit, they are loaded and
+    /// dedicated memory, tiles use at most three quarters of it. If the tiles do not all fit, they are loaded and
     /// evicted as rays need them; the hits are the same.
     std::uint64_t memory = std::uint64_t{2} << 30;
     /// Boxes MINX, MINY, MINZ, MAXX, MAXY, MAXZ in the coordinates of the scene, each minimum below its maximum. Rays
     /// hit only what is inside all of them and inside the clips of the scene file, except shapes, which stay whole. At
-    /// most 32 planes together, a box counts as six.
+    /// most 32 planes in total; a box counts as six.
     std::vector<std::array<double, 6>> clips = {};
-    /// "NAME=VALUE,VALUE" or "NAME=FROM:TO": rays hit only splats whose attribute (or height) has these values,
-    /// according to all of these filters and those of the scene file. Scans without the attribute, and Gaussians, are
-    /// not filtered.
+    /// "NAME=VALUE,VALUE" or "NAME=FROM:TO": rays hit only splats whose attribute (or height) has one of these values.
+    /// All of these filters and those of the scene file apply. Scans without the attribute, and Gaussians, are not
+    /// filtered.
     std::vector<std::string> filters = {};
 };
 
@@ -143,24 +144,23 @@ struct SceneBounds {
 class TraceScene {
 public:
     /// Maps files and uploads them to the device. Each path is one of
-    ///  - a .pro file, or a tile set (NAME.proset): the next instance, in its own coordinates. Rays intersect the
-    ///  finest
-    ///    tiles of a set, each clipped to its core;
+    ///  - a .pro file, or a tile set (NAME.proset): one more instance, in its own coordinates. Rays intersect the
+    ///    finest tiles of a set, each clipped to its core;
     ///  - a scene file (NAME.toml, docs/SCENES.md): its instances in order, placed as it says, in its coordinates. Rays
     ///    also hit its shapes, except backdrops and those hidden from the camera: as the instance kShapesInstance,
     ///    without splat_ids, as in pictures. Materials, lights, cameras and rooms are ignored.
-    /// Files must not be modified in place while the scene exists. Throws kBadUsage without paths, for invalid clips,
-    /// or if a single tile exceeds options.memory, kBadInput "FILE: reason" for unreadable files and other formats,
-    /// kCannotRun if the device has too little memory.
+    /// Files must not be modified in place while the scene exists. Throws kBadUsage if paths is empty, for
+    /// invalid clips, or if a single tile exceeds options.memory, kBadInput "FILE: reason" for unreadable files and
+    /// other formats, kCannotRun if the device has too little memory.
     TraceScene(const TraceDevice& device, const std::vector<std::string>& paths, const SceneOptions& options = {});
     ~TraceScene();
     TraceScene(TraceScene&&) noexcept;
     TraceScene& operator=(TraceScene&&) noexcept;
 
-    /// Finds the first hit of each ray. Any number of rays: they are traced in chunks, in buffers of some tens of MiB
-    /// that the scene keeps. While tiles are loaded and evicted, concurrent calls run one after the other. Throws
-    /// RayError for an invalid ray (the arrays are undefined then), kBadUsage for invalid limits and arrays, kBadInput
-    /// for an unreadable tile, kCannotRun if the device is lost.
+    /// Finds the first hit of each ray. Any number of rays is traced in chunks, in buffers of some tens of MiB that the
+    /// scene keeps. While tiles are loaded and evicted, concurrent calls run one after the other. Throws RayError for
+    /// an invalid ray (the arrays are undefined then), kBadUsage for invalid limits and arrays, kBadInput for an
+    /// unreadable tile, kCannotRun if the device is lost.
     void castRays(RayRows rays, const RayLimits& limits, const HitArrays& hits) const;
 
     /// Tests whether each ray hits anything: 1 or 0 [N]. Faster than castRays. Throws as castRays.
@@ -189,7 +189,7 @@ public:
     SceneBounds bounds() const;
     /// Metres per unit of the scans' coordinates; 0 if unknown, or if the scans differ.
     double metresPerUnit() const;
-    /// The splats of all instances; for sets those of the finest level, each once.
+    /// The number of splats of all instances; for sets, those of the finest level, each once.
     std::uint64_t splatCount() const;
     std::size_t instanceCount() const;
     /// True if any instance is a tile set.
