@@ -12,7 +12,7 @@ namespace {
 /// The squared error of a picture is P / maps + S / samples, and its time maps * t_map + samples * t_sample. The least
 /// error in a given time has samples / maps = sqrt((S t_map) / (P t_sample)), which is proportional to the inverse root
 /// of the number of pixels and depends little on the scene. At 2^kPixelBits pixels it is 2^kSampleBits (measured in
-/// tests/bench/RESULTS.md, "Caustics that converge").
+/// tests/bench/NOTES.md, "Caustics").
 constexpr int kPixelBits = 18, kSampleBits = 2;
 
 } // namespace
