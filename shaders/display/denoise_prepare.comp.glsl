@@ -28,7 +28,8 @@ vec3 factorOf(vec3 albedo) {
 
 float kindOf(float alpha, vec3 albedo) {
     if (!(alpha > 0.0)) return KIND_EMPTY;
-    // Mean coverage may differ from 1 by rounding, but one uncovered sample of 65,536 makes a larger difference.
+    // The mean coverage may differ from 1 by rounding, but a single uncovered sample of 65,536 makes a larger
+    // difference.
     float covered = alpha > 1.0 - 1e-5 ? KIND_FULL : KIND_EMPTY + clamp(ceil(alpha * 8.0), 1.0, 7.0);
     return all(equal(albedo, vec3(0.0))) ? covered + KIND_BLACK : covered;
 }
@@ -53,7 +54,7 @@ void main() {
     bool broken = !isFinite(color.rgb);
     vec3 light = broken ? vec3(0.0) : clamp(color.rgb / factor, -kBrightest, kBrightest);
     float lit = luminance(light), scale = luminance(factor);
-    // unknown variance is taken to be as large as the light itself
+    // an unknown variance is assumed to be as large as the light itself
     bool known = KNOWS_VARIANCE != 0u && isFinite(albedo.a) && albedo.a >= 0.0;
     float variance = known ? min(albedo.a / (scale * scale), kBrightest * kBrightest) : lit * lit;
     lights[texel] = vec4(light, variance);
