@@ -21,8 +21,7 @@ struct CameraFiles {
     ToneMapping tone;      ///< tone mapping of rgb; albedo uses only its exposure
 };
 
-/// The entries of transforms.json for a picture of this name: each key with the path of its file relative to the
-/// folder.
+/// The entries of transforms.json for a picture of this name: keys, and paths of files relative to the folder.
 std::vector<std::pair<std::string, std::string>> fileNames(const CameraOutput& output, const std::string& name);
 
 /// Writes the layers of film to their files, each atomically. film must have first hits, and for .exr also light

@@ -44,8 +44,7 @@ void writeInstance(SceneWriting& writing, const InstanceDescription& instance) {
     for (const MaterialOverride& over : instance.overrides) writeOverride(writing, over);
 }
 
-/// The radius from which the reader computes exactly the shape's u and v, if any. It differs from length(u) by rounding
-/// only.
+/// The radius from which the reader computes exactly the shape's u and v, if any; length(u) up to rounding.
 std::optional<double> radiusOfFlat(const ShapeDescription& shape) {
     constexpr int nearby = 8;
     const double step = std::numeric_limits<double>::epsilon() / 2 * length(shape.u);

@@ -95,9 +95,8 @@ void addSurroundings(inout Surroundings around, DenoiseSurface center, vec2 slop
 }
 
 // Factor for a filtered colour. A pixel on the outline of a body shows two surfaces, and its light was divided by the
-// mean of their albedos. Where glass (albedo 1) meets a dark floor, the quotient is far less than that of the floor
-// beside it, so filtering would make the outline many times too bright. There the colour is clamped to the range around
-// the pixel.
+// mean of their albedos. Where glass (albedo 1) meets a dark floor, the quotient is far less than the floor's, so
+// filtering would make the outline many times too bright. There the colour is clamped to the range around the pixel.
 float outlineScale(float filtered, DenoiseSurface center, vec2 slope, ivec2 pixel) {
     Surroundings around = Surroundings(kBrightest, kBrightest, 0.0, 0.0, false);
     int count = albedosDiffer(pixel) ? 9 : 0; // lavapipe skips a loop that no lane needs, but not a branch

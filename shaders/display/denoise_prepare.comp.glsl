@@ -28,8 +28,7 @@ vec3 factorOf(vec3 albedo) {
 
 float kindOf(float alpha, vec3 albedo) {
     if (!(alpha > 0.0)) return KIND_EMPTY;
-    // The mean coverage may differ from 1 by rounding, but a single uncovered sample of 65,536 makes a larger
-    // difference.
+    // Mean coverage may differ from 1 by rounding, but one uncovered sample of 65,536 makes a larger difference.
     float covered = alpha > 1.0 - 1e-5 ? KIND_FULL : KIND_EMPTY + clamp(ceil(alpha * 8.0), 1.0, 7.0);
     return all(equal(albedo, vec3(0.0))) ? covered + KIND_BLACK : covered;
 }

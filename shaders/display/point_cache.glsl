@@ -17,8 +17,7 @@ layout(std430, binding = BINDING_CACHE_COLORS) buffer PointColorBuffer { uint po
 layout(std430, binding = BINDING_CACHE_VISIBLE) buffer VisibleBuffer { uint is_visible[]; }; // by point, 0 or 1
 // By point: the pixel it is projected to, or NO_INDEX, and its depth.
 layout(std430, binding = BINDING_CACHE_PROJECTED) buffer ProjectedBuffer { uvec2 projected[]; };
-// By pixel: depth and number of the nearest point, both NO_INDEX if there is none. Positive floats sort like their
-// bits.
+// By pixel: depth and number of the nearest point, both NO_INDEX if none. Positive floats sort like their bits.
 layout(std430, binding = BINDING_CACHE_NEAREST) buffer NearestBuffer { uvec2 nearest[]; };
 layout(std430, binding = BINDING_CACHE_SEEN) buffer SeenBuffer { uint seen[]; };    // by pixel: its point, or NO_INDEX
 layout(std430, binding = BINDING_CACHE_SHOWN) buffer ShownBuffer { uint shown[]; }; // by pixel: 0xAARRGGBB

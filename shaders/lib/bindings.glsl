@@ -25,9 +25,8 @@ layout(std430, binding = BINDING_CONTROL) buffer ControlBuffer { Control control
 // list's entries, with room for those of LIST_SHADOW_RAYS, and the culled lists, CULLED_ENTRIES per path
 layout(std430, binding = BINDING_QUEUES) buffer QueueBuffer { uint queues[]; };
 layout(std430, binding = BINDING_PATHS) buffer PathBuffer { PathState paths[]; };
-// splats, as in TraceHit: t as bits, cell, disc (an index into the listed splats), owner; once the program surface has
-// read these: t, offset radius as bits, splat, owner with the tile above it (HIT_TILE_SHIFT). Shapes: t, 0, shape,
-// OWNER_SHAPES
+// splats, as in TraceHit: t as bits, cell, disc (an index into the listed splats), owner; after the program surface: t,
+// offset radius as bits, splat, owner with the tile above it (HIT_TILE_SHIFT). Shapes: t, 0, shape, OWNER_SHAPES
 layout(rgba32ui, binding = BINDING_HITS) uniform uimageBuffer hit_texels;
 layout(std430, binding = BINDING_LIGHT_QUERIES) buffer LightQueryBuffer { DirectLightQuery light_queries[]; };
 layout(std430, binding = BINDING_FILM) buffer FilmBuffer { vec4 film[]; };

@@ -7,8 +7,7 @@
 #include "shaders/shared/panorama.h"
 #include "shaders/shared/spec_constants.h"
 
-// A specialization constant, because lavapipe recompiles a program at each binding if a branch depends on a value in
-// params.
+// A specialization constant: lavapipe recompiles a program at each binding if a branch depends on a value in params.
 layout(constant_id = SPEC_PANORAMA_EYES) const uint kPanoramaEyes = 0u;
 const bool kIsPanorama = kPanoramaEyes != 0u, kIsStereo = kPanoramaEyes == 2u;
 
@@ -78,9 +77,8 @@ CameraRay panoramaRay(vec2 pixel) {
     return CameraRay(params.eye + eyeAside(pixel, level) * aside, normalize(direction));
 }
 
-// One formula for both projections onto a plane. Pinhole: all origins coincide (half_window is 0), and directions
-// spread over the plane at distance 1. Parallel projection: origins spread over the image plane, and all directions
-// coincide.
+// One formula for both projections onto a plane. Pinhole: origins coincide (half_window is 0) and directions spread
+// over the plane at distance 1. Parallel projection: origins spread over the image plane and directions coincide.
 CameraRay rayThrough(vec2 pixel) {
     if (kIsPanorama) return panoramaRay(pixel);
     return CameraRay(displaced(params.eye, onPlane(pixel, params.half_window)),

@@ -18,9 +18,8 @@ const bool kHoldsShapes = (kShapeKinds & kShapeCountMask) != 0u;
 const uint kHeldShapes = (kShapeKinds & kShapeCountMask) - 1u; // number of them
 #define kHoldsShapes kHoldsShapes // tested by shapes.glsl
 
-// The camera pass has one lane per pixel, with camera rays; other passes have one lane per path of the ray queue. Each
-// has its own programs. CAMERA: a program for the camera pass only, without the queues that other passes read and
-// write.
+// The camera pass has a lane per pixel, with camera rays; other passes have a lane per path of the ray queue. Each has
+// its own programs. CAMERA: a program for the camera pass only, without the queues that other passes read and write.
 #ifdef CAMERA
 const bool kCameraPass = true;
 #else

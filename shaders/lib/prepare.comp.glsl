@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Runs as one lane between dispatches: turns queue lengths into group counts of the next dispatches, and counts the
-// rays.
+// A single lane between dispatches: turns queue lengths into group counts of the next dispatches, and counts rays.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "shaders/lib/bindings.glsl"

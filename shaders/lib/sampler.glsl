@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Low-discrepancy samples: an Owen-scrambled Sobol sequence for each pixel and pair of dimensions. Its first 2^k
 // samples, and every following 2^k, put one point into each elementary interval of area 2^-k. Pairs of dimensions are
-// padded: each sequence is shuffled independently, so that pairs are uncorrelated. After Burley, Practical Hash-Based
-// Owen Scrambling (JCGT 9(4), 2020).
+// padded: each sequence is shuffled independently, so that pairs are uncorrelated.
+// After Burley, Practical Hash-Based Owen Scrambling (JCGT 9(4), 2020).
 #ifndef POINTRT_SHADERS_SAMPLER_GLSL
 #define POINTRT_SHADERS_SAMPLER_GLSL
 

@@ -25,8 +25,7 @@ void dropUnused(SceneDescription& scene, std::size_t fewest) {
         scene.materials.pop_back();
 }
 
-/// Takes the surroundings out of a saved scene, so that the window shows the choice of room and lamps that created
-/// them.
+/// Takes the surroundings out of a saved scene, so that the window shows the room and lamps that were chosen for it.
 void takeOutSurroundings(OpenedScene& opened) {
     const std::optional<AddedSurroundings> added = opened.file_scene.surroundings;
     if (!added) return;
