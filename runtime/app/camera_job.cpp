@@ -96,7 +96,7 @@ double depthUnit(const CameraPlan& plan, const Options& options, const Bounds& b
 SeriesShot seriesShot(const Camera& camera, PixelSize size, const Options& options, bool filtered) {
     const CameraOutput& output = options.camera_output;
     const bool first_hits = output.depth || output.normal || output.instance || output.exr || filtered;
-    const bool refines = options.limits.seconds || options.limits.noise; // which needs the light components
+    const bool refines = options.limits.seconds || options.limits.noise; // refining needs the light components
     return {camera, size, first_hits, output.exr || refines};
 }
 
@@ -137,7 +137,7 @@ private:
         return job;
     }
 
-    /// False if interrupted; the picture is not written then.
+    /// Returns false, without writing the picture, if interrupted.
     bool renderShot(std::size_t i) {
         const CameraShot& shot = plan_.shots[i];
         const bool filtered = session_.settings.denoise == DenoiseChoice::kOn;

@@ -21,17 +21,17 @@ struct CameraFiles {
     ToneMapping tone;      ///< tone mapping of rgb; albedo uses only its exposure
 };
 
-/// The keys of transforms.json with the files of a picture of this name, as paths relative to the folder.
+/// The entries of transforms.json for a picture of this name: keys, and paths of files relative to the folder.
 std::vector<std::pair<std::string, std::string>> fileNames(const CameraOutput& output, const std::string& name);
 
-/// Writes the layers of film to their files, each atomically. film: with first hits, and for .exr with light
-/// components. Returns the number of pixels beyond the range of depth, which are written as 0, no hit. Throws Error
-/// kCannotWrite "PATH: reason".
+/// Writes the layers of film to their files, each atomically. film must have first hits, and for .exr also light
+/// components. Returns the number of pixels whose depth is out of range; they are written as 0, like misses. Throws
+/// Error kCannotWrite "PATH: reason".
 std::uint64_t writeCameraFiles(const CameraFiles& files, const std::string& name, const PinholeLens& lens,
                                const Film& film);
 
-/// The depth along the viewing axis in units, rounded, from the distance along the ray through the centre of pixel (x,
-/// y). 0 for no hit, and for depths below half a unit or above 65535 units.
+/// The depth along the viewing axis, rounded to multiples of unit. along_ray: distance along the ray through the centre
+/// of pixel (x, y). 0 for a miss, and for depths below half a unit or above 65535 units.
 std::uint16_t depthNumber(float along_ray, const PinholeLens& lens, std::uint32_t x, std::uint32_t y, double unit);
 
 } // namespace pointrt

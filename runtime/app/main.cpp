@@ -66,7 +66,7 @@ void render(Options options) {
     }
     const std::string json = reportJson(report);
     if (options.bench_frames != 0) writeReport("-", json);
-    // a benchmark has already printed it
+    // a benchmark has already printed its report
     if (!options.stats.empty() && !(options.bench_frames != 0 && options.stats == "-"))
         writeReport(options.stats, json);
 }

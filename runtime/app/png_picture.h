@@ -28,7 +28,7 @@ struct PngPlan {
     PictureOverlay overlay = {};
     Writing writing = Writing::kWhole;
     std::optional<GeoReference> place = {}; ///< place of a plan on its map
-    bool is_panorama = false;               ///< is recorded in PNGs, so that panorama viewers recognise them
+    bool is_panorama = false;               ///< PNGs record it for panorama viewers
 };
 
 class PngPicture {
@@ -36,10 +36,11 @@ public:
     /// Throws Error kCannotRun if the device has too little memory for the denoiser.
     PngPicture(Device& device, PngPlan plan);
 
-    /// Adds the next rows from the top: those of film from first on. Throws Error kCannotWrite "PATH: reason".
+    /// Adds the picture's next rows, from the top: rows [first, first + rows) of film. Throws Error kCannotWrite
+    /// "PATH: reason".
     void addRows(const Film& film, std::uint32_t first, std::uint32_t rows);
-    /// Completes the file; missing rows are black, or transparent. Writes the world file of a PNG with a place. Throws
-    /// as addRows.
+    /// Completes the file; missing rows are black, or transparent. For a PNG with a place, writes the world file, too.
+    /// Throws as addRows does.
     void finish();
 
     double filterMilliseconds() const { return filter_ms_; }

@@ -220,7 +220,7 @@ std::string signatureFor(const RenderSession& session, const std::string& path) 
                                   : "";
 }
 
-/// Renders one picture of a turntable. False if interrupted; the picture is not written then.
+/// Renders one picture of a turntable. Returns false, without writing the picture, if interrupted.
 bool renderTurntablePicture(RenderSession& session, const Options& options, std::uint32_t turn,
                             RenderProgress& progress, Report& report) {
     const std::string path = frameName(options.output, turn);

@@ -33,8 +33,8 @@ Words codecOf(const std::string& video) {
     return {"-c:v", "libx264", "-crf", "18", "-movflags", "+faststart"};
 }
 
-/// All players show 4:2:0, which needs even sides. Pictures are sRGB; untagged, ffmpeg would take them for limited
-/// range.
+/// Converts to 4:2:0, which every player supports but which needs even widths and heights, and tags the video with its
+/// colour space and range.
 Words encoderArguments(const Options& options, const std::string& encoder) {
     Words words{encoder, "-nostdin", "-hide_banner", "-loglevel",
                 "error", "-y",       "-framerate",   std::to_string(options.fps)};

@@ -9,7 +9,8 @@
 
 namespace pointrt {
 
-/// The path of ffmpeg, to be called before long work. Throws Error kCannotRun if PATH has none.
+/// The path of ffmpeg. Call it before rendering, so that a missing ffmpeg is reported at once. Throws Error kCannotRun
+/// if ffmpeg is not in PATH.
 std::string findEncoder(const std::string& video);
 
 /// Creates the folder of options.output for the pictures of options.video, and deletes the pictures of an earlier run.

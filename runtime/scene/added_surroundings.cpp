@@ -9,7 +9,7 @@
 namespace pointrt {
 namespace {
 
-/// visit(number) for each reference to a material, which it may change.
+/// Calls visit(number) for each reference to a material; visit may change the number.
 template <typename Scene, typename Visit>
 void eachMaterialUse(Scene& scene, const Visit& visit) {
     for (auto& shape : scene.shapes) visit(shape.material);

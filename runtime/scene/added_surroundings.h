@@ -17,8 +17,8 @@ bool usesMaterial(const SceneDescription& scene, std::uint32_t material);
 /// Moves the materials that only surroundings use to the end of the list.
 void moveSurroundingMaterialsLast(SceneDescription& scene);
 
-/// Removes the shapes of scene.surroundings and, if they belong to it, the lights and the sky, with the materials of
-/// those shapes at the end of the list; also the choice of room and lamps. Does nothing without surroundings.
+/// Removes the surroundings, if any: their shapes, the materials of those shapes at the end of the list, the lights and
+/// sky if they belong to the surroundings, and the choice of room and lamps.
 void removeSurroundings(SceneDescription& scene);
 
 } // namespace pointrt

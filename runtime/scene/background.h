@@ -25,7 +25,7 @@ std::optional<Background> backgroundNamed(std::string_view word);
 /// The word that backgroundNamed reads.
 std::string backgroundName(const Background& background);
 
-/// Its radiance: the exact inverse of the sRGB transfer function, so that PNGs show exactly its colour.
+/// The background's radiance: the exact inverse of the sRGB transfer function, so that PNGs show exactly its colour.
 Color backgroundRadiance(const Background& background);
 
 } // namespace pointrt

@@ -25,8 +25,7 @@ struct BoxPen {
 /// A dark, translucent box of this size in units.
 OverlayBox darkBox(std::size_t width, std::size_t height, std::size_t scale);
 
-/// text with the font's characters only: other UTF-8 characters become ?, and text of more than 32 characters ends in
-/// dots.
+/// text as the font can show it: missing characters become ?, and text of more than 32 characters ends in "...".
 std::string writable(std::string_view text);
 /// Width of text as writable() leaves it, in units.
 std::size_t widthOf(std::string_view text);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Clips cut scans: what they keep is the part of each scan that lies inside all clips, an intersection of half-spaces.
-// Rays pass through what is cut away. Nothing else is cut: shapes, lights, rooms and floors stay.
+// Clips cut scans: they keep the part of each scan that lies inside all clips, an intersection of half-spaces. Rays
+// pass through the rest. Shapes, lights, rooms and floors are not cut.
 #pragma once
 
 #include <array>
@@ -14,7 +14,7 @@
 
 namespace pointrt {
 
-/// Keeps what is inside a box: from low to high in world units, rotated about its centre.
+/// Keeps the inside of a box: from low to high in world units, then rotated about its centre.
 struct ClipBox {
     Vec3 low, high;                                                            ///< low is below high on each axis
     std::array<Vec3, 3> rotation{Vec3{1, 0, 0}, Vec3{0, 1, 0}, Vec3{0, 0, 1}}; ///< orthonormal rows, world from box
@@ -39,7 +39,7 @@ struct HalfSpace {
     Vec3 point, normal;
 };
 
-/// An upright box of MINX, MINY, MINZ, MAXX, MAXY and MAXZ.
+/// An axis-aligned box from MINX, MINY, MINZ, MAXX, MAXY and MAXZ.
 ClipDescription clipBox(const std::array<double, 6>& ends);
 
 /// The half-spaces whose intersection the enabled clips keep: six for a box, one for a plane.
@@ -48,7 +48,7 @@ std::vector<HalfSpace> keptHalfSpaces(std::span<const ClipDescription> clips);
 /// (shaders/shared/scene_layout.h).
 std::size_t countHalfSpaces(std::span<const ClipDescription> clips);
 
-/// Throws Error kBadUsage if that is more than a scene may have.
+/// Throws Error kBadUsage if clips have more half-spaces than a scene may have.
 void requireFewHalfSpaces(std::span<const ClipDescription> clips);
 
 /// A half-space that contains no point of a scene.

@@ -21,7 +21,7 @@ inline constexpr std::array kColorMapNames = {Name{"viridis", ColorMap::kViridis
                                               Name{"coolwarm", ColorMap::kCoolwarm}, Name{"grey", ColorMap::kGrey},
                                               Name{"classes", ColorMap::kClasses},   Name{"scans", ColorMap::kScans}};
 
-/// The colour of splats without a value: NaN, infinite, or not in their scan.
+/// The colour of splats whose value is NaN, infinite, or missing from their scan.
 inline constexpr Srgb8 kMissingColor{128, 128, 128};
 
 /// True if the map has a colour per integer and none in between.
@@ -33,7 +33,7 @@ constexpr bool isDiverging(ColorMap map) { return map == ColorMap::kCoolwarm; }
 /// A colour map over a range of values.
 class ColorScale {
 public:
-    /// range: categorical maps ignore it.
+    /// range: ignored by categorical maps.
     ColorScale(ColorMap map, ValueRange range);
 
     /// Values beyond the range get the colour of its end. Categorical maps round the value and treat negative ones as

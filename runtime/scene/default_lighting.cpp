@@ -120,8 +120,8 @@ struct StudioLight {
     float floor; ///< reflectance
 };
 constexpr StudioLight kDirectStudio{1, 0.42f};
-/// If light bounces, sky and floor fill the shadows. With lamps that are a seventh weaker, a white subject is as bright
-/// as without bounces; on a floor half as bright, it keeps its contrast.
+/// If light bounces, sky and floor fill the shadows. Lamps that are a seventh weaker then make a white subject as
+/// bright as without bounces, and a floor half as bright preserves its contrast.
 constexpr StudioLight kPathStudio{0.86f, 0.21f};
 /// How far the floor is below the lowest point, in bounding radii: more than float precision, so that discs flat on the
 /// floor stay above it, and so little that shadows still touch their objects.
@@ -132,8 +132,8 @@ constexpr float kStudioZenith = 0.35f;
 /// The same for the nadir under open ground; its light reaches crowns and eaves from below.
 constexpr float kBelowGround = 0.4f;
 
-/// The lamps are dimmed for subjects of a higher reflectance than kBright, and amplified for those of a lower one than
-/// kDark, by at most kMostGain.
+/// The lamps are dimmed for subjects with a reflectance above kBright, and brightened for those below kDark, by a
+/// factor of at most kMostGain.
 constexpr double kBright = 0.75, kDark = 0.25, kMostGain = 2.5;
 
 /// The mean reflectance that renders as a middle grey: for objects under the studio's lamps, and for surroundings,
@@ -202,8 +202,8 @@ void addFloor(SceneDescription& scene, const Staging& staging, double level, flo
 /// follows the square root of the height; its cosine-weighted mean is 0.2 horizon + 0.8 zenith.
 constexpr float kSkyOnFloor = 0.2f + 0.8f * kStudioZenith;
 
-/// A sky whose horizon is as bright as the floor. lit_floor: the floor's radiance by the lamps. Open ground has no
-/// floor around it, so below the horizon the picture darkens downwards, where cameras above the ground look.
+/// A sky whose horizon is as bright as the floor. lit_floor: the floor's radiance due to the lamps. Open ground has no
+/// floor around it: there the sky darkens below the horizon, where cameras above the ground look.
 SkyDescription studioSky(Color lit_floor, const StudioLight& light, const StudioSubject& subject) {
     const bool is_path_traced = subject.is_path_traced;
     SkyDescription sky;
@@ -256,7 +256,7 @@ void addLampsBeforeBackground(SceneDescription& scene, const RenderSettings& set
     addStudio(scene, staging, subject, false);
 }
 
-/// A sky of one colour. strength and image are the defaults, so that it is that colour exactly.
+/// A sky of one colour. strength and image keep their defaults, so that the sky has exactly that colour.
 SkyDescription plainSky(const Background& background, float ambient) {
     SkyDescription sky;
     sky.zenith = sky.horizon = sky.ground = backgroundRadiance(background);
@@ -268,7 +268,7 @@ bool isPlain(const SkyDescription& sky, const Background& background) {
     return sky == plainSky(background, sky.ambient);
 }
 
-/// Replaces the sky by scene.background. It gives ambient light, like the studio's sky, only to scenes without lights
+/// Replaces the sky by scene.background. This sky gives ambient light, like the studio's, only to scenes without lights
 /// of their own: elsewhere it would brighten what the lights leave dark.
 void addBackground(SceneDescription& scene, const RenderSettings& settings, const Staging& staging,
                    const StudioSubject& subject, bool in_room) {

@@ -16,8 +16,8 @@ constexpr std::uint32_t kRingLights = 3;
 
 /// The properties of the scans that the studio adapts to.
 struct StudioSubject {
-    /// The 95th percentile of reflectance; for an eye within the scene, the mean of what it sees. Lamps are dimmed for
-    /// white subjects and brightened for black ones; the floor looks the same with all of them.
+    /// The 95th percentile of reflectance; for an eye within the scene, the mean of what the eye sees. Lamps are dimmed
+    /// for white subjects and brightened for black ones; the floor looks the same with every subject.
     double reflectance = 0.5;
     /// The eye is inside the scene, where lamps outside would be occluded: so one lamp is near the eye, and ambient
     /// light comes from all sides.
@@ -48,19 +48,19 @@ bool isLitByDefault(const SceneDescription& scene, const RenderSettings& setting
 ///    lamps over a matte floor, which is a backdrop without first hits and coverage. Gaussian captures alone get a
 ///    black background instead.
 ///  - settings.background: a sky of that colour in place of the scene's. Unlit scenes then get the studio's lamps
-///    without its floor, and only_gaussians none unless settings.lights or a room adds them.
+///    without its floor; with only_gaussians they get no lamps unless settings.lights or a room adds them.
 /// Stores the chosen room and number of lamps in scene.surroundings, unless a choice is already there.
-/// They are placed for the eye scene.staged_for, else for camera's eye, and do not move with it.
+/// The surroundings are placed for the eye scene.staged_for, else for camera's eye, and do not follow the eye.
 /// low and high: corners of the scene's bounds, world frame.
 void addSurroundings(SceneDescription& scene, const RenderSettings& settings, const Camera& camera, Vec3 low, Vec3 high,
                      const StudioSubject& subject = {});
 
-/// The background of pictures of a scene with surroundings; they then have no highlight compression. None if there is
-/// no background, or if its sky has been edited since.
+/// The plain background of a scene's pictures, which then get no highlight compression. None if the scene has no plain
+/// background, or if its sky has been edited since. scene: with surroundings
 std::optional<Background> pictureBackground(const SceneDescription& scene);
 
-/// Makes the surroundings from addSurroundings a part of the scene, before it is edited or saved, so that none are
-/// added later.
+/// Makes the surroundings from addSurroundings a part of the scene, so that none are added again later. For scenes that
+/// will be edited or saved.
 void ownSurroundings(SceneDescription& scene, RenderSettings& settings);
 
 /// The up direction of rooms and the sky, unit length: the scene's, or the axis nearest to the camera's up.

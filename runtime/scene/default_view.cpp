@@ -179,9 +179,8 @@ bool isAsLargeAsARoom(const SceneSample& sample, const Ground& ground) {
     return height >= kLowest && height <= kHighest && width <= kWidest;
 }
 
-/// True for a closed box of the size of a room, in metres, with the uneven spacing of a scan from one place: nobody
-/// scans the underside of a box that stands, or a hall of walls without a floor. Boxes that were sampled evenly are
-/// models.
+/// True for a closed box of the size of a room, in metres, with the uneven spacing of a scan from one place. It must
+/// have been scanned from inside, since nobody scans the underside of a standing box. Evenly sampled boxes are models.
 bool isScannedShell(const SceneSample& sample, const Ground& ground) {
     constexpr double kCeiling = 0.5, kUneven = 3;
     constexpr double kFloor = 0.3; // a scanner does not see the floor beneath itself
@@ -258,7 +257,7 @@ std::vector<Vec3> someOf(const std::vector<Vec3>& places) {
     return some;
 }
 
-/// The share of a sample that an eye sees when it looks in all directions.
+/// The share of a sample that is visible from eye when looking in all directions.
 double seenAround(const SceneSample& sample, const std::vector<double>& weights, const Ground& ground, Vec3 eye) {
     double seen = 0;
     for (const Vec3 side :
@@ -281,8 +280,8 @@ std::vector<Vec3> eyesInRoom(const SceneSample& sample, const Ground& ground) {
     return {places[static_cast<std::size_t>(std::max_element(seen.begin(), seen.end()) - seen.begin())]};
 }
 
-/// True for walls of the size of rooms around a place, with little of a ceiling over it: maps of scanners that were
-/// carried around hold the walls of rooms, but not always their ceilings.
+/// True for walls of the size of rooms around a place, with little of a ceiling over it: maps made with mobile scanners
+/// contain the walls of rooms, but not always their ceilings.
 bool isWalled(const SceneSample& sample, const Ground& ground) {
     // In rooms, 0.74 and 0.77 of all level directions meet a wall, in streets at most 0.24. A sample has a ceiling if
     // it is closed above the walls, but bodies scanned from outside are closed there as well.
@@ -295,7 +294,7 @@ bool isWalled(const SceneSample& sample, const Ground& ground) {
     });
 }
 
-/// The side from above that shows most of the low parts: not one where walls and ceilings hide the floor.
+/// The side, seen from above, that shows most of the low parts, so that walls and ceilings do not hide the floor.
 Vec3 sideOverWalls(const SceneSample& sample, const Ground& ground) {
     const SampleBox box = boundsOf(sample);
     const double middle = alongAxis(sample, ground.up).middle();
@@ -329,9 +328,10 @@ ViewChoice fullestPlace(const SceneSample& sample, const Ground& ground, const s
 /// True if a scanner at eye explains the sample: discs, as wide as the spacing, grow with their distance, which varies,
 /// and face the eye.
 bool looksScannedFrom(const SceneSample& sample, Vec3 eye) {
-    // A frame's spacing is proportional to the distance on surfaces of one slope. In seven frames, growth is 0.6 to 1.2
-    // and correlation 0.32 to 0.92. In seven of 50 other scans, the distances, growth and correlation are as large from
-    // the origin; those scans reach around it, face away from it, or have a known scanner.
+    // The spacing of a range image is proportional to the distance on surfaces of one slope. In seven range images,
+    // growth is 0.6 to 1.2 and correlation 0.32 to 0.92. In seven of 50 other scans, the range of distances, growth and
+    // correlation are as large, measured from the origin; those scans surround the origin, face away from it, or have
+    // a known scanner.
     constexpr double kLeastGrowth = 0.4, kLeastCorrelation = 0.3, kLeastRange = 1.7, kFacing = 0.6;
     std::vector<double> distances;
     double xx = 0, xy = 0, yy = 0, x = 0, y = 0, facing = 0, discs = 0;
@@ -352,7 +352,7 @@ bool looksScannedFrom(const SceneSample& sample, Vec3 eye) {
            joint * joint >= kLeastCorrelation * kLeastCorrelation * spread * wide_spread;
 }
 
-/// The scanner of a frame: the only one that is known, or one at the origin of the file's coordinates.
+/// The scanner of a range image: the only known one, or one at the origin of the file's coordinates.
 std::optional<Vec3> scannerOfFrame(const SceneSample& sample) {
     if (sample.sensors.size() == 1) return sample.sensors[0];
     const bool is_at_origin = sample.sensors.empty() && sample.zeros.size() == 1 && sample.oriented &&

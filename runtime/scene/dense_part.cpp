@@ -12,9 +12,9 @@ namespace {
 
 /// The smallest share of the splats to show.
 constexpr double kLeastShare = 0.9;
-/// The distance is chosen at which the share of the splats divided by this power of the distance is largest. In the
-/// corners of a square, which hold few splats, the share grows with the 0.4th power of the distance, in corridors with
-/// the first, and in frames of spinning lidars, beyond nine tenths, with at most the 0.2th.
+/// The chosen distance maximizes the share of the splats within it divided by this power of the distance. That share
+/// grows with the distance to the power 0.4 in the corners of a square, which hold few splats, to the power 1 in
+/// corridors, and to at most the power 0.2 in the outermost tenth of frames of spinning lidars.
 constexpr double kPower = 0.25;
 
 double medianAlong(const SceneSample& sample, Vec3 axis) {
@@ -35,7 +35,7 @@ std::vector<double> distancesFromMiddle(const SceneSample& sample, Vec3 up) {
     return distances;
 }
 
-/// The distance at which the share of the splats over its power is largest.
+/// The distance with the largest quotient of the share of splats within it and its power kPower.
 double bestReach(std::vector<double> distances) {
     std::sort(distances.begin(), distances.end());
     double best = distances.back(), most = 0;

@@ -6,10 +6,10 @@
 
 namespace pointrt {
 
-/// A sample without the thin surroundings of a site. A lidar's points lie ever farther apart with the distance: the
-/// last tenth of them may be on two thirds of the width. Keeps the splats around their middle, at least nine tenths of
-/// them, up to the horizontal distance beyond which their share hardly grows. Even samplings, corridors among them, and
-/// samples below kEachCounts are kept whole.
+/// A sample without the sparse outskirts of a site. A lidar's points thin out with distance: the outermost tenth may
+/// take up two thirds of the width. Keeps at least nine tenths of the splats: those up to the horizontal distance from
+/// the middle beyond which hardly any are added. Evenly spaced samples, such as corridors, and samples below
+/// kEachCounts are kept whole.
 /// @param sample without strays
 /// @param up unit length
 SceneSample densePart(const SceneSample& sample, Vec3 up);

@@ -15,7 +15,7 @@ struct DiscLight {
     double radius = 1;
     Color radiance;
     bool seen_by_camera = true;
-    bool visible = true; ///< false: it is off, and its surface is not there
+    bool visible = true; ///< false: the light is off, and its surface does not exist
     Layer layer{};
     bool operator==(const DiscLight&) const = default;
 

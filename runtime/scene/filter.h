@@ -9,7 +9,7 @@
 
 namespace pointrt {
 
-/// Selects splats by a number: those whose number lies in any of the ranges, ends included.
+/// Selects the splats whose value of the attribute lies in any of the ranges, ends included.
 struct SplatSelection {
     std::string attribute;          ///< as RenderSettings::color_by, without rgb and normal
     std::vector<ValueRange> ranges; ///< empty for a filter that hides nothing yet
@@ -32,7 +32,7 @@ FilterDescription parseFilter(const std::string& text);
 
 /// Whether the filter is enabled and has ranges.
 bool hidesSplats(const FilterDescription& filter);
-/// Whether any of the filters does.
+/// Whether any of the filters hides splats.
 bool hidesSplats(const std::vector<FilterDescription>& filters);
 
 } // namespace pointrt

@@ -53,7 +53,7 @@ Shown shownOf(const std::vector<InView>& splats, double right, double up, double
     return shown;
 }
 
-/// The size of shown relative to its target size; half_height: of the picture, in the unit of shown.
+/// The size of shown relative to its target size. half_height: half the picture's height, in the unit of shown
 double excess(const Shown& shown, double half_height, const PictureArea& area) {
     const double wide = 2 * half_height * area.aspect * area.free_share * kFramedShare;
     return std::max(shown.across.size() / wide, shown.upward.size() / (2 * half_height * kFramedShare));

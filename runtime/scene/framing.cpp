@@ -13,7 +13,7 @@ namespace {
 
 /// Scanners and rooms may need wider pictures than objects; beyond this angle, perspective distorts too much.
 constexpr double kWidest_deg = 80;
-/// If a scanner saw the scene at a smaller angle, it was far away, and its exact position is no better than another.
+/// If a scanner saw the scene at a smaller angle, it was so far away that its position is no better than any other.
 constexpr double kNarrowest_deg = 20;
 /// Distance of the pivot inside a room, relative to the mean distance of the surfaces.
 constexpr double kPivotShare = 0.5;
@@ -104,7 +104,7 @@ FramedRequest fromWithin(const CameraRequest& request, const SceneSample& sample
     return framed;
 }
 
-/// Fills in the walls around the eye.
+/// Fills in the walls around the request's eye.
 FramedRequest fromGivenEye(FramedRequest framed, const SceneSample& sample, Vec3 up) {
     const Surrounding surrounding = surroundingOf(sample, *framed.camera.eye, up);
     framed.within = isEnclosed(surrounding);

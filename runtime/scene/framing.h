@@ -20,9 +20,10 @@ struct FramedRequest {
 
 /// Completes a request without eye and target: from its standard view, else from the side that shows most, at the
 /// distance at which all but strays fill the free part of the picture. A standard view also applies to a given target.
-/// Requests with an eye stay unchanged, but are checked for walls around it; so do requests without a standard view in
-/// scenes with shapes, where the eye might end up behind a wall. up: of the scene, unit length; free_fov: a view from a
-/// scanner may change the field of view. Throws Error kBadUsage for a scanner's view if no scanner's position is known.
+/// Requests with an eye keep their camera, and the walls around the eye are found. Requests without a standard view
+/// also stay unchanged in scenes with shapes, where the eye might end up behind a wall. up: of the scene, unit length;
+/// free_fov: a view from a scanner may change the field of view. Throws Error kBadUsage for a scanner's view if no
+/// scanner's position is known.
 FramedRequest frameScene(const CameraRequest& request, const SceneSample& sample, Vec3 up, const PictureArea& area,
                          bool free_fov);
 

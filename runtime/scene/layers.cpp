@@ -38,7 +38,7 @@ void eraseAt(Items& items, std::size_t number) {
     items.erase(items.begin() + static_cast<std::ptrdiff_t>(number));
 }
 
-/// The number of the scene's own scans and shapes: a scene file without any is refused.
+/// The number of the scene's own scans and shapes. A scene file needs at least one of them.
 std::size_t countBodies(const SceneDescription& scene) {
     const auto scans = std::count_if(scene.instances.begin(), scene.instances.end(),
                                      [](const InstanceDescription& each) { return !each.deleted; });

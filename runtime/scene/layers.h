@@ -24,7 +24,7 @@ struct LayerId {
 /// All parts, scans first, without deleted ones.
 std::vector<LayerId> layersOf(const SceneDescription& scene);
 
-/// Its name; for unnamed scans that of their file, else its kind and its number from 1, such as "light 2".
+/// The part's name; if it has none, the file name of a scan, else kind and number from 1, such as "light 2".
 std::string layerName(const SceneDescription& scene, LayerId id);
 /// The first layer with this name.
 std::optional<LayerId> layerNamed(const SceneDescription& scene, const std::string& name);

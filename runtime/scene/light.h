@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Lights of any kind. Each kind satisfies the concept Light; the rest of the viewer uses the functions below and names
-// no kind.
+// Lights of any kind. Each kind satisfies the concept Light; the rest of the viewer uses the functions below and does
+// not name the kinds.
 //
 // To add a kind: a struct in a header beside this one, a line in LightDescription, a line in LIGHT_KINDS
 // (shaders/shared/light_layout.h), and functions in shaders/shade, included by lights.glsl. Omissions fail to compile.
@@ -53,7 +53,7 @@ concept Aimable = requires(L light, const L& given) {
     light.face(Vec3{}, Vec3{});
 };
 
-/// task(std::type_identity<L>{}, number) for each kind of light L.
+/// Calls task(std::type_identity<L>{}, number) for each kind of light L.
 template <typename Task>
 constexpr void eachLightKind(Task&& task) {
     [&]<std::size_t... kNumbers>(std::index_sequence<kNumbers...>) {

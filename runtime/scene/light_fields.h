@@ -64,7 +64,7 @@ struct RadiusField {
     FieldKeys keys() const { return {"radius"}; }
 };
 
-/// Half edges of a rectangle, perpendicular to each other.
+/// Vectors from the centre of a rectangle to the middles of two edges; perpendicular to each other.
 struct HalfEdgesField {
     Vec3 &u, &v;
     FieldKeys keys() const { return {"u", "v"}; }

@@ -13,7 +13,7 @@ namespace {
 
 /// Twice the step to which a scan's positions are rounded, 2^-21 of its octree's edge.
 constexpr double kResolved = 1e-6;
-/// Beyond this, a length would be a long row of digits; scene files allow coordinates up to here.
+/// Beyond this limit of coordinates in scene files, a length would be a long row of digits.
 constexpr double kMostWritten = 1e12;
 
 PathMeasures measuresOf(const MeasureDescription& measure) {
@@ -33,7 +33,7 @@ std::string measuredText(const MeasureDescription& measure, const MeasureUnits& 
     const std::string unit = units.unit.empty() ? "" : " " + units.unit;
     const double step = kResolved * units.scene_size;
     if (!measure.closed) return numberText(measures.length, step) + unit;
-    // the area changes by this much if a side that is a hundredth of the scene long is moved by one step
+    // the resolution of an area: its change when a side, a hundredth of the scene long, moves by one step
     const std::string area = numberText(measures.area.value_or(0), 1e-2 * units.scene_size * step);
     return area + (unit.empty() ? "" : unit + "2");
 }

@@ -10,7 +10,7 @@
 
 namespace pointrt {
 
-/// A path, whose length is measured, or a polygon, whose area is.
+/// A path, measured by its length, or a polygon, measured by its area.
 struct MeasureDescription {
     std::vector<Vec3> points; ///< world frame; at least two, for a polygon three
     bool closed = false;      ///< true: a polygon
@@ -30,7 +30,7 @@ std::string measuredText(const MeasureDescription& measure, const MeasureUnits& 
 /// The same with the measurement's name, if it has one: "12.345 m, eaves".
 std::string labelOf(const MeasureDescription& measure, const MeasureUnits& units);
 
-/// The place of its label: half way along a path, or the mean of a polygon's corners.
+/// The place of the measurement's label: half way along a path, or the mean of a polygon's corners.
 Vec3 labelPlace(const MeasureDescription& measure);
 
 } // namespace pointrt

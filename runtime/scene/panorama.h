@@ -12,13 +12,13 @@ struct PanoramaRay {
 };
 
 /// The ray through a place in the picture: across from 0 at its left edge to 1 at its right one, down from 0 at its top
-/// to 1 at its bottom. The middle of the picture is camera.forward, its edges are behind, its top is camera.up. In
-/// stereo (camera.eyes_apart > 0) the upper half is the left eye's picture: eyes are where they would be if the head
-/// turned to the ray's longitude, and approach each other towards the poles.
+/// to 1 at its bottom. The picture's middle looks along camera.forward, its left and right edges backwards, its top
+/// along camera.up. In stereo (camera.eyes_apart > 0) the upper half is the left eye's picture: the eyes are where they
+/// would be if the head turned to the ray's longitude, and approach each other towards the poles.
 PanoramaRay panoramaRay(const Camera& camera, double across, double down);
 
-/// camera turned to a level view: its up is the given one (not zero), forward the horizontal part of its own, or any
-/// horizontal direction if it has none.
+/// camera turned to a level view: its up becomes the given one (not zero), and forward the horizontal part of
+/// camera.forward, or any horizontal direction if that part is zero.
 Camera levelCamera(const Camera& camera, Vec3 up);
 
 /// The size of a panorama of this width: twice as wide as high for each eye.

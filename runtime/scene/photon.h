@@ -30,7 +30,7 @@ struct PhotonAim {
     std::array<double, 4> u;
 };
 
-/// An emitted photon. share: its flux divided by the light's strength, if it is the only photon.
+/// An emitted photon. share: its flux as the only photon, divided by the light's strength.
 struct EmittedPhoton {
     Vec3 origin, direction;
     double share = 0;

@@ -64,8 +64,8 @@ template <typename Members, typename Limits>
 RenderSetting(Members, std::optional<typename Limits::Value> RenderChoices::*, Limits, OnCommandLine, InSceneFile,
               InFilm) -> RenderSetting<Members, Limits>;
 
-/// A single sample is taken at the pixel's centre; several are spread over its area, and films of several samples can
-/// be mixed with each other only.
+/// A single sample is taken at the pixel's centre, several are spread over its area: a film of one sample cannot be
+/// mixed with films of several.
 inline const char* pixelPattern(const RenderSettings& settings) { return settings.spp == 1 ? "centre" : "area"; }
 
 // clang-format off

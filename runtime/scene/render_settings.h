@@ -88,8 +88,8 @@ struct RenderSettings {
     float detail = 1;   ///< largest level-of-detail error of tile sets, pixels (CutRequest::detail)
 };
 
-/// Samples per pixel of a picture for which nothing is chosen. Path tracing and denoising 800 x 800 pixels of a million
-/// splats then takes 6 to 8 s of processor time.
+/// Default samples per pixel where the viewer chooses path tracing by itself. Path tracing and denoising 800 x 800
+/// pixels of a million splats then takes 6 to 8 s of processor time.
 constexpr std::uint32_t kDefaultPathSpp = 8;
 
 /// The settings that the command line or a scene file gives; none: not given.

@@ -113,7 +113,7 @@ struct NamedView {
 };
 
 /// The room and lamps that addSurroundings has added. The scene lists their lights and shapes like any others; this
-/// records which room the window shows as selected, and what it removes when another is selected.
+/// records which room the window shows as selected, and what to remove when the user selects another.
 struct AddedSurroundings {
     std::optional<Room> room;           ///< none: the studio, or the defaults of a scene with its own lights
     std::optional<std::uint32_t> lamps; ///< RenderSettings::lights

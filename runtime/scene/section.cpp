@@ -13,7 +13,7 @@
 namespace pointrt {
 namespace {
 
-constexpr double kMostSection = 1e12; // as of coordinates in scene files
+constexpr double kMostSection = 1e12; // the limit of coordinates in scene files
 constexpr std::string_view kAxisNames = "xyz";
 
 [[noreturn]] void refuseSection(const std::string& text) {

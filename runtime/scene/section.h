@@ -20,7 +20,7 @@ struct AxisSection {
     bool reversed = false; ///< seen from the other side, keeping the other half
 };
 
-/// A vertical plane through two points of the plan, the first one left in the picture. Their coordinates are x and y if
+/// A vertical plane through two points of the plan; the first is on the left in the picture. Coordinates: x and y if
 /// z is vertical, x and z if y is, y and z if x is.
 struct LineSection {
     std::array<double, 2> from{}, to{};
@@ -38,7 +38,7 @@ struct SectionRequest {
 SectionRequest parseSection(const std::string& text);
 
 struct Section {
-    std::vector<ClipDescription> clips; ///< one plane, or two of a slice
+    std::vector<ClipDescription> clips; ///< one plane, or the two of a slice
     Vec3 side, up;                      ///< unit vectors: from the cut to the eye, and up in the picture
 };
 

@@ -10,8 +10,7 @@
 namespace pointrt {
 namespace {
 
-/// A distant part is shown if it holds at least this share of the sample, if showing it halves the size of everything
-/// else.
+/// The share of the sample that a distant part must hold to be shown, if showing it halves the size of everything else.
 constexpr double kWorthTwice = 0.05;
 
 std::uint32_t rootOf(std::vector<std::uint32_t>& parents, std::uint32_t cell) {

@@ -46,7 +46,7 @@ std::optional<Vec3> nearestAxis(Vec3 direction) {
 }
 
 void resolveUp(SceneDescription& scene, CameraRequest& camera, CameraRequest& staging, const UpRequest& request) {
-    // for a single scan, an up of the camera is also that of the scene
+    // for a single scan, the camera's up, if given, is also the scene's
     const bool is_given = scene.up || (!request.fallback && camera.up);
     if (!is_given && request.known) {
         scene.up = request.known;

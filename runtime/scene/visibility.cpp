@@ -44,7 +44,7 @@ struct Outline {
     double x, y, reach_x, reach_y;
 };
 
-/// Rasterizes a disc: lowers the depth of the cells whose centres are in its ellipse, and of the one at its centre.
+/// Rasterizes a disc: lowers the depth of the cells whose centres lie in its ellipse, and of the cell at its centre.
 void rasterize(std::vector<double>& depths, const Outline& disc, double depth) {
     const auto nearer = [&](std::size_t cell) {
         if (cell != kOutside) depths[cell] = std::min(depths[cell], depth);

@@ -32,7 +32,7 @@ SceneSample visibleFrom(const SceneSample& sample, Vec3 eye, const ViewBasis& ba
 struct Surrounding {
     double covered = 0;  ///< share of all directions that meet a disc
     double level = 0;    ///< the same for directions within 16 degrees of level
-    double above = 0;    ///< the same for directions within 45 degrees of up, about a cube's upper face
+    double above = 0;    ///< the same through the top face of a cube around the place, about 45 degrees from up
     double headroom = 0; ///< height of the ceiling above the eye; 0: no ceiling
     double distance = 0; ///< median distance over all directions that hit a disc
 };

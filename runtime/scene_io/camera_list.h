@@ -28,10 +28,9 @@ struct CameraFileRequest {
 /// Reads a list:
 ///  - transforms.json of nerfstudio, Instant-NGP and Blender's NeRF scenes: transform_matrix is world_from_camera, x to
 ///    the right, y up, z behind the camera; nerfstudio's applied_transform is undone;
-///  - a folder with COLMAP's cameras.bin and images.bin, or cameras.txt and images.txt, or one of these files: poses
-///  are
-///    camera_from_world, quaternions w x y z, with OpenCV's axes.
-/// In a folder with several of these the first is read: transforms.json, .bin, .txt; then those in sparse/0.
+///  - a folder with COLMAP's cameras.bin and images.bin, or cameras.txt and images.txt, or one of these files. Poses
+///    are camera_from_world, quaternions w x y z, with OpenCV's axes.
+/// In a folder with several of these, reads the first of transforms.json, .bin, .txt, then the same in sparse/0.
 /// Throws Error kBadInput "FILE: PLACE: reason" for files that cannot be read or are of another format, empty lists,
 /// lenses other than pinholes, distortion unless dropped, and poses that are not rotations.
 std::vector<CameraShot> readCameraList(const std::string& path, const CameraFileRequest& request);

@@ -22,7 +22,7 @@ Matrix chained(const Matrix& second, const Matrix& first) {
     return {Vec3{x.x, y.x, z.x}, Vec3{x.y, y.y, z.y}, Vec3{x.z, y.z, z.z}};
 }
 
-/// The rotation about axis, unit length, counterclockwise with the axis towards the viewer: Rodrigues' formula.
+/// The rotation about axis (unit length), counterclockwise if the axis points at the viewer: Rodrigues' formula.
 Matrix turn(Vec3 axis, double degrees) {
     const double angle = degrees * std::numbers::pi / 180;
     const double c = std::cos(angle), s = std::sin(angle);

@@ -11,7 +11,7 @@
 namespace pointrt {
 namespace {
 
-/// The strength of a light, read from key: a number, multiplied by "color", or a colour.
+/// The strength of a light, read from key: either a number, which is multiplied by "color", or a colour.
 Color strengthOf(const SceneValue& table, std::string_view key) {
     const SceneValue strength = require(table, key);
     const auto color = find(table, "color");

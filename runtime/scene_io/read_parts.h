@@ -37,7 +37,7 @@ void takeLayer(const SceneValue& table, Layer& layer);
 
 /// Number of the material that value names.
 std::uint32_t materialOf(const SceneValue& value, const SceneReading& reading);
-/// The keys "values" or "range" of a table, one of which must be there, for the numbers that attribute names.
+/// The selection by the numbers that attribute names: from exactly one of the keys "values" and "range" of table.
 SplatSelection selectionOf(const SceneValue& table, const SceneValue& attribute);
 /// The path of the file that value names relative to the scene file's folder. Refuses missing files.
 std::string fileOf(const SceneValue& value, const SceneReading& reading);
@@ -46,7 +46,7 @@ std::array<Vec3, 3> rotationOf(const SceneValue& value);
 
 /// [[x, y, z], [x, y, z], [x, y, z]]
 std::array<Vec3, 3> rowsOf(const SceneValue& value);
-/// Tolerance of matrices in files, as a sine: six digits are enough to write one.
+/// Tolerance of matrices in files, as a sine, so that six digits are enough.
 constexpr double kAxesError = 1e-6;
 /// True if axes, of unit length, are orthogonal and right-handed.
 bool areRightAngled(const std::array<Vec3, 3>& axes);
@@ -57,7 +57,7 @@ struct HalfEdges {
 };
 HalfEdges halfEdgesOf(const SceneValue& table);
 
-/// Orients a flat shape along normal, a unit vector; u and v get length half.
+/// Orients a flat shape so that its normal is the given one, of unit length; u and v get length half.
 void layFlat(ShapeDescription& shape, Vec3 normal, double half);
 
 /// Refuses value if there are MAX_SHAPES shapes already, counting lights with a surface.

@@ -70,7 +70,7 @@ void readSphere(const SceneValue& table, ShapeDescription& shape) {
 bool areAlike(double a, double b) { return std::abs(a - b) <= kAxesError * std::max(a, b); }
 
 /// Reads u, v and w unchanged, if they suit the shape (scene_description.h): orthogonal and right-handed; for planes,
-/// discs and quads, w has unit length; for planes and discs, u and v have equal length; for spheres, all three have.
+/// discs and quads, w of unit length; for planes and discs, u and v of equal length; for spheres, all of equal length.
 void readAxes(const SceneValue& table, const SceneValue& axes, ShapeDescription& shape) {
     forbid(table, {"point", "normal", "radius", "u", "v", "min", "max", "size", "rotate"},
            "cannot be combined with \"axes\"");

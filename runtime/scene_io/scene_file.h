@@ -16,7 +16,7 @@ constexpr std::size_t kMaxSceneBytes = std::size_t{1} << 20;
 /// True if path ends in .toml.
 bool isSceneFile(const std::string& path);
 
-/// True if path is a scene file or a tile set, the scenes other than a .pro.
+/// True if path is a scene file or a tile set, that is, a scene other than a .pro.
 bool isSceneOrSet(const std::string& path);
 
 /// Reads the scene file at path, at most 1 MiB. Files named in it are relative to its folder, and must exist. Throws

@@ -84,7 +84,7 @@ std::string pathFrom(const std::string& folder, const std::string& path) {
     const std::string prefix = folder.empty() ? "" : folder + "/";
     const std::string rest = path.starts_with(prefix) ? path.substr(prefix.size()) : "";
     if (!rest.empty() && rest[0] != '/') return rest;
-    // resolve symbolic links: ".." after one does not lead to the folder that contains it
+    // resolve symbolic links: ".." after a link does not lead to the folder that contains the link
     std::error_code error;
     const std::string near = std::filesystem::proximate(path, folder.empty() ? "." : folder, error).string();
     if (!error && !near.empty()) return near;

@@ -13,8 +13,7 @@ namespace pointrt {
 ///  - materials, which are sorted by name; empty, unprintable and duplicate names are replaced,
 ///  - fields without a key: those that a material's kind does not use, colours of a sky with an image,
 ///  - scene.path, MaterialOverride::place, and InstanceDescription::path outside scene_dir, which may be another path
-///  to
-///    the same file,
+///    to the same file,
 ///  - cameras without an up, which get the scene's.
 /// Pass a scene without the additions of addSurroundings, which would be written too (see also describeRun).
 std::string sceneText(const SceneDescription& scene, const std::string& scene_dir);

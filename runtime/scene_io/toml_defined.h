@@ -1,20 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0
-// Includes toml++ without its compiler hints. It marks code as unreachable and states assumptions that malformed input
-// violates ("a = \u00e9" makes it look up U+00E9 in tables declared to exclude it), which is undefined behaviour. Here
-// characters outside its tables belong to no class, assumptions are dropped, and other "unreachable" code throws.
+// Includes toml++ without its compiler hints. toml++ marks code as unreachable and states assumptions that malformed
+// input violates ("a = \u00e9" makes it look up U+00E9 in tables declared to exclude it), which is undefined behaviour.
+// Here characters outside its tables belong to no class, assumptions are dropped, and other "unreachable" code throws.
 #pragma once
 
 // Compiled once, in values.cpp, and not linked: the viewer needs no shared library for it.
 #define TOML_HEADER_ONLY 0
 #define TOML_ENABLE_FORMATTERS 0
-// Without NDEBUG its parser asserts conditions that malformed input can violate ("a = [}"), and then checks them
-// anyway.
+// Without NDEBUG, toml++ asserts conditions that malformed input can violate ("a = [}"), and then checks them anyway.
 #define TOML_ASSERT(expression) static_assert(true)
 
 #include <stdexcept>
 
 namespace pointrt {
-/// Within a noexcept function this ends the process.
+/// Ends the process if called in a noexcept function.
 [[noreturn]] inline void leaveToml() { throw std::logic_error("internal error in toml++"); }
 } // namespace pointrt
 

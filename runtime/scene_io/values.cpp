@@ -17,8 +17,8 @@ std::string place(const std::string& file, const toml::source_region& region) {
     return file + ":" + std::to_string(std::max<toml::source_index>(1, region.begin.line)) + ": ";
 }
 
-/// toml++ nests a table for each dot of a key and frees them recursively: half a megabyte of "a.a.a." overflows the
-/// stack. No key of scene files has more than two dots.
+/// toml++ nests a table for each dot of a key and frees these tables recursively: half a megabyte of "a.a.a." overflows
+/// the stack. No key of a scene file has more than two dots.
 void requireFewDots(std::string_view text, const std::string& file) {
     constexpr int most = 64;
     std::uint32_t line = 1;

@@ -98,7 +98,7 @@ NamedBy<List> nameChoiceOf(const SceneValue& value, const List& names) {
     return names[choiceOf(value, wordsOf(names))].value;
 }
 
-/// These set the variable if the key is present.
+/// The take functions set the variable if the key is present.
 template <typename Number>
 void takeNumber(const SceneValue& table, std::string_view key, Range range, Number& number) {
     if (const auto value = find(table, key)) number = static_cast<Number>(numberOf(*value, range));

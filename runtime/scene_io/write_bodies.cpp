@@ -44,8 +44,7 @@ void writeInstance(SceneWriting& writing, const InstanceDescription& instance) {
     for (const MaterialOverride& over : instance.overrides) writeOverride(writing, over);
 }
 
-/// The radius from which the reader computes exactly the shape's u and v, if there is one: length(u) differs from it by
-/// rounding only.
+/// The radius from which the reader computes exactly the shape's u and v, if any; length(u) up to rounding.
 std::optional<double> radiusOfFlat(const ShapeDescription& shape) {
     constexpr int nearby = 8;
     const double step = std::numeric_limits<double>::epsilon() / 2 * length(shape.u);
@@ -81,7 +80,7 @@ bool putDisc(SceneWriting& writing, const ShapeDescription& shape) {
 bool putQuad(SceneWriting& writing, const ShapeDescription& shape) {
     const Vec3 u = normalize(shape.u), v = normalize(shape.v);
     if (shape.w != cross(u, v) || !isNear(2 * dot(u, v), 0))
-        return false; // twice the cosine, so that the reader surely takes it as near too
+        return false; // a margin of two, so that the reader is sure to find them near too
     put(writing, "center", tomlOf(shape.center));
     put(writing, "u", tomlOf(shape.u));
     put(writing, "v", tomlOf(shape.v));

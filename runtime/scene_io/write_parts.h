@@ -46,7 +46,7 @@ void begin(SceneWriting& writing, const std::string& header);
 /// "key = value"
 void put(SceneWriting& writing, const char* key, const std::string& value);
 
-/// "[a, b]" of one or more.
+/// "[a, b]", for one value or more.
 std::string listOf(std::initializer_list<std::string> values);
 /// The shortest text that parses to the same number.
 std::string tomlOf(double number);

@@ -39,7 +39,7 @@ std::string listOf(std::initializer_list<std::string> values) {
 
 std::string tomlOf(double number) {
     std::string text = shortest(number);
-    // without a decimal point it would be a TOML integer, which has no -0 and is limited to 2^63
+    // without a decimal point, the text would be a TOML integer, which has no -0 and is limited to 2^63
     constexpr double most_digits = 1e15;
     const bool whole = text.find_first_of(".ein") == std::string::npos;
     if (whole && (std::abs(number) > most_digits || (number == 0 && std::signbit(number)))) text += ".0";

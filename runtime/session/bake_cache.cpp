@@ -21,8 +21,8 @@ namespace fs = std::filesystem;
 /// How often a process polls while another one runs the same bake.
 constexpr std::chrono::milliseconds kLockPoll{50};
 
-/// Keeps other processes from running the same bake meanwhile. It is only a courtesy: without it, they would write the
-/// same file.
+/// Keeps other processes from running the same bake at the same time. Only saves work: without the lock, they would all
+/// write the same file.
 class BakeLock {
 public:
     explicit BakeLock(const std::string& path) { lock_.openFile(path); }
@@ -82,7 +82,8 @@ bool parseProgress(const std::string& line, const BakeMonitor& monitor) {
     return true;
 }
 
-/// Whether a line is the last one of a bake: it names its output, a file of the cache, which users need not know.
+/// True for notes and warnings, which begin with the tool's name. The last line, which names the output in the cache,
+/// does not.
 bool isRemark(const std::string& line) {
     const std::string name = std::string(kBakeTool) + ": ";
     return line.starts_with(name) && !line.starts_with(name + "error: ");

@@ -25,9 +25,9 @@ struct BakeMonitor {
     std::function<void(const std::string& line)> remark; ///< receives the notes and warnings of pointrt-bake
 };
 
-/// The path of the baked scans: from the cache, or baked into it by a child process. While another process bakes the
-/// same, waits for it. If the cache grows too large, the least recently used bakes are deleted, but never this one. ""
-/// if cancelled. Throws Error with the reason of pointrt-bake, or kCannotWrite without a cache folder.
+/// The path of the baked scans: from the cache, or baked into it by a child process. If another process runs the same
+/// bake, waits for that. If the cache grows too large, deletes the least recently used bakes, but never this one. "" if
+/// cancelled. Throws Error with the reason given by pointrt-bake, or kCannotWrite without a cache folder.
 /// @param tool path of pointrt-bake
 std::string bakeCached(const FileCache& cache, const ScanBake& bake, const std::string& tool,
                        const BakeMonitor& monitor);

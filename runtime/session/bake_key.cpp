@@ -25,7 +25,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Change it if bakes by earlier programs must not be used any more.
+/// Change this if bakes by earlier programs must no longer be used.
 constexpr std::uint64_t kKeyVersion = 1;
 
 /// As deep as pointrt-bake searches folders.

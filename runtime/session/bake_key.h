@@ -19,10 +19,10 @@ struct ScanBake {
 /// scans so small that their full bake takes about a second.
 std::optional<ScanBake> quickBake(const ScanBake& bake);
 
-/// 32 hexadecimal digits that depend on the names and contents of the scans, on the options and files that these name,
-/// and on the version of the tool. Files that refer to others (OBJ, .conf, glTF, ...) also depend on the names, sizes
-/// and times of the files around them. "" if cancelled() becomes true while files are read. Throws Error kBadInput if a
-/// scan cannot be read.
+/// 32 hexadecimal digits that depend on the names and contents of the scans, on the options and the files that options
+/// name, and on the version of the tool. For formats that refer to other files (OBJ, .conf, glTF, ...), they also
+/// depend on the names, sizes and times of the files around the scan. "" if cancelled() becomes true while files are
+/// read. Throws Error kBadInput if a scan cannot be read.
 /// @param tool path of pointrt-bake
 std::string bakeKey(const ScanBake& bake, const std::string& tool, const std::function<bool()>& cancelled);
 

@@ -196,7 +196,7 @@ void requireThumbnail(const Options& options) {
     if (other) throw Error{ExitCode::kBadUsage, std::string("--thumbnail and ") + other + " cannot be combined"};
 }
 
-/// Fills in the settings of a thumbnail that are not given. The time limit bounds scenes whose samples take long.
+/// Fills in the settings of a thumbnail that are not given. The time limit is for scenes with slow samples.
 void fillThumbnail(Options& options) {
     constexpr double kSeconds = 1; // file managers render thumbnails of whole folders
     options.choices.size = PixelSize{options.thumbnail, options.thumbnail};
@@ -254,7 +254,7 @@ void requireNothingElse(const Options& options) {
         throw Error{ExitCode::kBadUsage, "--device list cannot be combined with other options"};
 }
 
-/// Options of pointrt-bake that do not apply behind --bake, since they need a named output.
+/// Options of pointrt-bake that are refused after --bake, since they need a named output.
 constexpr std::array kNotBehind = {"-o", "--output", "--step", "--keep-work", "--progress", "--generate"};
 
 void requireBakeOptions(const Options& options) {

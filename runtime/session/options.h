@@ -32,8 +32,8 @@ struct Options {
     std::vector<std::string> bake_options; ///< of pointrt-bake, for scans
     std::string scene;                     ///< the scene to open: the input, or the .pro baked from scans
     std::vector<std::string> added;        ///< further scans (.pro, .proset) to show together with scene
-    std::string source;                    ///< what users know scene by, such as the scan it was baked from; empty:
-                                           ///< by its own name
+    std::string source;                    ///< the name by which users know scene, such as the scan it was baked
+                                           ///< from; empty: scene itself
     std::string output; ///< FILE.png, FILE.tif, FILE.exr or "-", or a folder with cameras; empty with a window,
                         ///< bench_frames or list_devices
     std::string device; ///< a selector, see DeviceRequest
@@ -55,9 +55,9 @@ struct Options {
     CameraOutput camera_output;          ///< layers of each camera
     bool drops_distortion = false;       ///< ignore lens distortion in cameras
     std::uint32_t turntable = 0;       ///< pictures of a moving camera, 0: none; output is then a pattern (turntable.h)
-    std::string video;                 ///< FILE.mp4 or FILE.webm made of them, empty: none
+    std::string video;                 ///< FILE.mp4 or FILE.webm to make of these pictures, empty: none
     std::uint32_t fps = 25;            ///< pictures per second of the video
-    bool follows_views = false;        ///< it moves through the scene's views, not around the target
+    bool follows_views = false;        ///< the camera moves through the scene's views, not around the target
     std::uint32_t thumbnail = 0;       ///< side in pixels, 0: none; output is then a PNG with any suffix
     bool panorama = false;             ///< all around the eye; also in camera
     double plan = 0;                   ///< side of a plan's pixel in scene units, 0: no plan
@@ -92,7 +92,7 @@ bool isVideo(const std::string& path);
 bool opensWindow(const Options& options);
 
 /// Fills options from the command line. Returns an exit code if the run ends here, after --help, --version or
-/// --generate. Throws Error kBadUsage with one line for mistakes.
+/// --generate. Throws Error kBadUsage with a one-line message for mistakes.
 std::optional<int> parseOptions(int argc, const char* const* argv, Options& options);
 
 } // namespace pointrt

@@ -7,8 +7,8 @@
 
 namespace pointrt {
 
-/// Throws Error kBadUsage if the picture, the report or the recording would overwrite the scene, one of its files or
-/// each other, or if the picture would be written to a terminal.
+/// Throws Error kBadUsage if the picture, the report or the recording would overwrite the scene, a file that the scene
+/// uses, or one another, or if the picture would be written to a terminal.
 void requireOutputsApart(const Options& options, const SceneDescription& scene);
 
 } // namespace pointrt

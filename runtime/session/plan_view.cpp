@@ -114,7 +114,7 @@ void fillPlan(Options& options, SceneDescription& description) {
     const double height = pixel * rows.count;
     options.camera.eye = centre + (heights.high + std::max(height, heights.high - heights.low)) * axes.up;
     options.camera.target = centre + heights.low * axes.up;
-    options.camera.up = axes.north; // keeps the picture's up apart from the scene's
+    options.camera.up = axes.north; // the picture's up, which differs from the scene's
     options.up_axis = axes.up;
     if (!description.up) description.up = axes.up;
     options.camera.ortho = true;

@@ -13,7 +13,7 @@ namespace {
 bool hasCpuTime(const PassProfile& profile) { return profile.clock.counters.handle == VK_NULL_HANDLE; }
 bool hasDeviceTime(const PassProfile& profile) { return profile.clock.timer.pool != VK_NULL_HANDLE; }
 
-/// The time of a pass: if it is timed within a submission, the device's time only.
+/// The time of a pass: the device's time only, if the pass is timed within a submission.
 double timeOf(const PassProfile& profile, const PassTally& pass) {
     return hasCpuTime(profile) ? pass.host_ms : pass.device_ms;
 }

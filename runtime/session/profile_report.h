@@ -9,8 +9,8 @@
 namespace pointrt {
 
 /// A JSON object: frames, frames_ms (total), passes (each with pass, runs, device_ms, host_ms, cpu_ms, lanes_in,
-/// lanes_out and bytes), host (what and ms) and unaccounted_ms. device_ms is null if the device has no timestamps,
-/// cpu_ms where passes are timed within a submission, not on the processor.
+/// lanes_out and bytes), host (what and ms) and unaccounted_ms. device_ms is null if the device has no timestamps, and
+/// cpu_ms is null if passes are timed within a submission, by the device alone.
 std::string profileJson(const PassProfile& profile);
 
 /// The same as a table, slowest pass first.

@@ -36,13 +36,14 @@ struct RenderSession {
 /// loadScene do.
 void loadSession(RenderSession& session, SceneDescription description, const Options& options, Report& report);
 
-/// Prints the notes on stderr, unless options are quiet. To be called once pictures are written: an error is one line.
+/// Prints the notes on stderr, unless options are quiet. Call it once the pictures are written: a failed run prints
+/// only its error.
 void printNotes(const RenderSession& session, const Options& options);
 
 /// wantsDenoising (settings.h) for a loaded scene.
 bool wantsDenoising(const RenderSession& session, const Options& options, std::uint32_t samples);
 
-/// Frees the memory of tracing after the last sample; the denoiser needs as much again.
+/// Frees the tracer's memory after the last sample, since the denoiser needs as much again.
 void dropRenderer(RenderSession& session);
 
 } // namespace pointrt

@@ -27,7 +27,7 @@ struct Report {
     std::uint64_t splats = 0;
     std::uint64_t device_bytes = 0;
     std::optional<SetReport> sets;    ///< none: the scene has no tile sets
-    double load_seconds = 0;          ///< from opening the file to ready
+    double load_seconds = 0;          ///< from opening the file until the scene is ready to render
     double first_frame_seconds = 0;   ///< from the start of the process to the first finished frame
     std::vector<double> frame_ms;     ///< wall time of each measured frame, at least one
     std::vector<double> frame_cpu_ms; ///< CPU time of all threads for each frame
@@ -36,8 +36,8 @@ struct Report {
     std::string profile;              ///< profileJson (profile_report.h); empty: not profiled
 };
 
-/// A JSON object with the report's fields; frame_ms and frame_cpu_ms become min, median and max; mrays_per_second is
-/// that of the median frame.
+/// A JSON object with the report's fields; frame_ms and frame_cpu_ms become min, median and max. mrays_per_second
+/// refers to the median frame.
 std::string reportJson(const Report& report);
 
 /// Warns of rays that ended early, if there are any.

@@ -54,7 +54,7 @@ std::string textOf(const Json& world, const char* key) {
     return found != world.end() && found->is_string() ? printable(found->get<std::string>()) : std::string();
 }
 
-/// The name by which users know a scan, not that of a file of the cache.
+/// The name by which users know a scan, never the name of a file in the cache.
 const std::string& nameOf(const DeviceScene& scene, const DeviceScan& scan) {
     const SceneDescription& description = scene.description;
     const bool is_scan = description.instances.size() == 1 && !isSceneOrSet(description.path);

@@ -99,7 +99,7 @@ SceneDescription describeScene(const Options& options) {
     } else {
         scene.path = options.source.empty() ? options.scene : options.source;
         scene.instances.push_back({options.scene, {}, {}, {}});
-        // the name of a file of the cache means nothing to users
+        // a file name in the cache means nothing to users
         scene.instances.back().layer.name = std::filesystem::path(options.source).filename().string();
         for (const std::string& path : options.added) scene.instances.push_back({path, {}, {}, {}});
         scene.up = options.up_axis;

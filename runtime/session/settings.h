@@ -28,7 +28,7 @@ const char* colorOption(const RenderChoices& said);
 bool leavesColors(const Options& options);
 
 /// The reverse: scene with these settings, so that its scene file gives the same picture. scene: without the additions
-/// of addSurroundings; staged_for: the eye that these were placed for
+/// of addSurroundings; staged_for: the eye for which the surroundings were placed
 SceneDescription describeRun(SceneDescription scene, const RenderSettings& settings, Vec3 staged_for);
 
 /// The standard view of options.view, unless the scene has a view of that name.
@@ -45,8 +45,8 @@ bool isNoisy(const RenderSettings& settings, const SceneDescription& scene, cons
 bool wantsDenoising(const Options& options, const RenderSettings& settings, const SceneDescription& scene,
                     std::uint32_t samples, const StudioSubject& subject = {});
 
-/// How PNGs and the window show the scene's light. scene: with its surroundings. Pictures with a background get no tone
-/// curve: the colours of a capture are those of photographs, which already have one.
+/// How PNGs and the window show the scene's light. scene: with its surroundings. Pictures with a plain background get
+/// no tone curve: a capture's colours come from photographs, to which a curve has already been applied.
 ToneMapping toneMapping(const SceneDescription& scene, float stops);
 
 } // namespace pointrt

@@ -25,7 +25,7 @@ constexpr const char* kForm = "\" is not a date and a time such as 2026-06-21T15
 
 [[noreturn]] void refuseTime(const std::string& text) { throw std::invalid_argument("\"" + text + kForm); }
 
-/// Parses "2026-06-21T15:00" to seconds since 1970; sets how many characters it took.
+/// Parses "2026-06-21T15:00" to seconds since 1970-01-01 00:00. length receives the number of characters parsed.
 double parseLocalTime(const std::string& text, std::size_t& length) {
     int year = 0, month = 0, day = 0, hour = 0, minute = 0, end = 0;
     if (std::sscanf(text.c_str(), "%4d-%2d-%2dT%2d:%2d%n", &year, &month, &day, &hour, &minute, &end) != 5)

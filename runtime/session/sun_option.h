@@ -22,7 +22,7 @@ SunOption parseSun(const std::string& text);
 
 /// Sets the first sun of a scene to that time and place, or adds a sun; adds a sky if the scene has none. A scan
 /// without lights is then path traced, unless an integrator is given. Throws Error kBadUsage "--sun: ..." if the place
-/// is not known, or the sun below the horizon.
+/// is unknown or the sun is below the horizon.
 void addSun(SceneDescription& scene, const SunOption& sun);
 
 } // namespace pointrt

@@ -12,7 +12,7 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-/// Time until a cancelled tool gets SIGTERM, and the time it then has to exit.
+/// Longest time until a cancelled tool gets SIGTERM, and the time that the tool then has to exit.
 constexpr std::chrono::milliseconds kPoll{50};
 constexpr std::chrono::seconds kGrace{3};
 /// Longer lines are truncated.

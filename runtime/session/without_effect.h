@@ -13,7 +13,7 @@ namespace pointrt {
 struct SceneTraits {
     bool has_tiles = false;          ///< it has tile sets
     bool has_secondary_rays = false; ///< with its integrator, a surface reflects, refracts or scatters
-    bool has_walked = false;         ///< some of its scans have no boxes for ray queries, so rays walk through them
+    bool has_walked = false;         ///< some of its scans have no boxes for ray queries, so shaders traverse them
     bool uses_lights = true;         ///< its integrator renders light, not normals or depths
 };
 

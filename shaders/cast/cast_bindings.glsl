@@ -6,7 +6,7 @@
 #include "shaders/shared/cast_layout.h"
 #include "shaders/shared/params.h"
 
-// CastRay; with GIVEN as the caller gives them
+// CastRay; with GIVEN, rays in the caller's layout
 layout(rgba32ui, binding = BINDING_CAST_RAYS) uniform readonly uimageBuffer cast_ray_texels;
 layout(r32ui, binding = BINDING_CAST_STOPPED) uniform writeonly uimageBuffer cast_stopped; // per ray: 0 unless occluded
 

@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
-// Rays in the caller's layout, doubles or floats in world coordinates, and hits likewise. Conversion happens on the
-// device where a ray is traced, so the host copies at most rows of memory.
+// Rays and hits in the caller's layout: doubles or floats in world coordinates. The device converts a ray when it
+// traces the ray, so the host at most copies rows of memory.
 //
-// Floats represent a ray precisely only from an origin close to what it may hit. So the origin is moved along the ray,
-// in doubles, to the sphere around the cube; the distance to move is estimated in floats, since any value will do as
+// Floats represent a ray precisely only from an origin close to what the ray may hit. So the origin is moved along the
+// ray, in doubles, to the sphere around the cube. The distance to move is estimated in floats: any value will do as
 // long as everything that follows uses the same one. Render space is the instance's cube.
 #ifndef POINTRT_SHADERS_GIVEN_RAYS_GLSL
 #define POINTRT_SHADERS_GIVEN_RAYS_GLSL
 #include "shaders/cast/cast_bindings.glsl"
 #include "shaders/shared/spec_constants.h"
 
-// Whether the caller's numbers are doubles; else floats.
+// Whether the caller's numbers are doubles or floats.
 layout(constant_id = SPEC_CAST_DOUBLES) const bool kDoubles = true;
 
 layout(push_constant) uniform Push { GivenPush push; };
@@ -23,7 +23,7 @@ uint rowOfLane(uint lane) { return lane; }
 
 struct LoadedRay {
     CastRay ray;
-    bool odd;       // the host must trace it: it is invalid, or its numbers are too large or too small for floats
+    bool odd;       // the host must trace this ray: it is invalid, or has numbers too large or too small for floats
     double start;   // distance the origin was moved, in lengths of the given direction
     float per_unit; // lengths of the given direction per world unit
 };

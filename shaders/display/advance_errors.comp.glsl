@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Begins a frame: errors of tiles fade and spread to their neighbours, since shadow edges move. A lane for each tile.
+// Begins a frame: the errors of tiles decay and spread to their neighbours, since shadow edges move. A lane per tile.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "shaders/display/point_cache.glsl"

@@ -30,9 +30,9 @@ layout(std430, binding = BINDING_DENOISE_GUIDE_LIGHT_OUT) writeonly buffer Guide
 // neither changed nor spread.
 const float kVarianceScale = 16.0;
 
-// Surfaces farther apart than this count as different: they weigh exp(-2) = 0.14.
+// Surfaces count as different if their surfaceDistance is larger than this, a weight of exp(-2) = 0.14.
 const float kOtherSurface = 2.0;
-// Albedos that differ less move a mixed pixel by less than the tone curve shows at an outline.
+// Below this ratio of albedos, the error of a mixed pixel at an outline is too small to be visible.
 const float kAlbedoContrast = 1.5;
 
 struct Sum {
@@ -59,8 +59,8 @@ void addTap(inout Sum sum, vec4 light, float guide, DenoiseSurface center, vec2 
     sum.weight += weight;
 }
 
-// The range of luminance around a pixel before the filter, without the brightest and the darkest neighbour, which may be
-// noise; and whether another surface is there.
+// The range of luminance around a pixel before the filter (second_low to second_high: without the darkest and the
+// brightest neighbour, which may be noise); and whether another surface is there.
 struct Surroundings {
     float low, second_low, high, second_high;
     bool has_outline;
@@ -68,10 +68,10 @@ struct Surroundings {
 
 ivec2 neighbour(int i) { return ivec2(i % 3 - 1, i / 3 - 1); }
 
-// Whether albedos around the pixel differ enough for an outline to mix them.
+// Whether albedos around the pixel differ so much that outlines that mix them need outlineScale.
 bool albedosDiffer(ivec2 pixel) {
     float least = kBrightest, largest = 0.0;
-    for (int i = 0; i < 9; ++i) { // beyond the picture: the pixel at its rim
+    for (int i = 0; i < 9; ++i) { // positions beyond the picture are clamped to its border
         float factor = luminance(texelFetch(factor_texels, texelOf(pixel + neighbour(i), push.xy)).rgb);
         least = min(least, factor);
         largest = max(largest, factor);
@@ -94,12 +94,12 @@ void addSurroundings(inout Surroundings around, DenoiseSurface center, vec2 slop
     around.low = min(around.low, shown);
 }
 
-// What to multiply a filtered colour by. A pixel on the outline of a body shows two surfaces, and its light was divided by
-// the mean of their albedos: beside glass (albedo 1) on a dark floor that leaves far less than the floor has, so that the
-// filter would make the outline many times too bright. There the colour stays within those around it.
+// Factor for a filtered colour. A pixel on the outline of a body shows two surfaces, and its light was divided by the
+// mean of their albedos. Where glass (albedo 1) meets a dark floor, the quotient is far less than the floor's, so
+// filtering would make the outline many times too bright. There the colour is clamped to the range around the pixel.
 float outlineScale(float filtered, DenoiseSurface center, vec2 slope, ivec2 pixel) {
     Surroundings around = Surroundings(kBrightest, kBrightest, 0.0, 0.0, false);
-    int count = albedosDiffer(pixel) ? 9 : 0; // lavapipe leaves a loop, but no branch, that no lane needs
+    int count = albedosDiffer(pixel) ? 9 : 0; // lavapipe skips a loop that no lane needs, but not a branch
     for (int i = 0; i < count; ++i) addSurroundings(around, center, slope, pixel, neighbour(i));
     if (!around.has_outline || center.broken || !(filtered > 0.0)) return 1.0;
     float own = luminance(texelFetch(color_texels, texelOf(pixel, push.xy)).rgb);

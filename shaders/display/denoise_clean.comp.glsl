@@ -16,11 +16,11 @@ layout(std430, binding = BINDING_DENOISE_LIGHT_OUT) writeonly buffer LightBuffer
 layout(std430, binding = BINDING_DENOISE_SLOPES_OUT) writeonly buffer SlopeBuffer { vec2 slopes[]; };
 layout(std430, binding = BINDING_DENOISE_GUIDE_LIGHT_OUT) writeonly buffer GuideBuffer { float guides[]; };
 
-// A firefly is at least this many times as bright as its second brightest neighbour; exponentially distributed noise
-// does that in 1 pixel of 430 (the product of k/(k+6) for k from 2 to 8) ...
+// A firefly is more than this many times as bright as its second brightest neighbour, which happens with exponentially
+// distributed noise in 1 pixel of 430 (the product of k/(k+6) for k from 2 to 8) ...
 const float kFireflyRatio = 6.0;
-// ... and its relative deviation is at least this: if one sample of n is bright, the deviation of the mean equals the
-// mean.
+// ... and its relative standard deviation is larger than this: if one sample of n is bright, the deviation of the mean
+// equals the mean.
 const float kFireflyDeviation = 0.25;
 
 // The valid neighbours.
@@ -29,7 +29,7 @@ struct Neighbours {
     float count;
     float brightest, second;
     float shown[9]; // luminance, by place in the 3x3 pixels; for missing ones see addNeighbour
-    float missing;  // luminance of the next missing one
+    float missing;  // luminance to store for the next missing neighbour
 };
 
 // Missing neighbours are alternately darker and brighter than all others, so that they hardly move the median.
@@ -37,7 +37,7 @@ void addNeighbour(inout Neighbours around, DenoiseSurface center, ivec2 pixel, i
     int texel = texelOf(pixel, push.xy);
     vec4 light = texelFetch(light_texels, texel);
     vec4 words = texelFetch(surface_texels, texel);
-    // Empty pixels are valid neighbours of each other, to repair those that are not finite.
+    // Empty pixels are valid neighbours of each other, so that those that are not finite can be repaired.
     bool counts = isInside(pixel, push.xy) && words.w == center.kind && words.w >= 0.0;
     float shown = counts ? luminance(light.rgb) : 0.0;
     around.sum += counts ? light : vec4(0.0);
@@ -74,7 +74,7 @@ void sortPair(inout float low, inout float high) {
     low = least;
 }
 
-// Median of the luminance of the pixel and its neighbours (of an even number the lower median), by a sorting network
+// Median of the luminance of the pixel and its neighbours (the lower median of an even number), by a sorting network
 // that sorts only as much as needed (Smith, Implementing median filters in XC4000E FPGAs, 1996).
 float medianAround(Neighbours around, float own) {
     float v[9] = around.shown;

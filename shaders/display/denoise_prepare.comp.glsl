@@ -53,7 +53,7 @@ void main() {
     bool broken = !isFinite(color.rgb);
     vec3 light = broken ? vec3(0.0) : clamp(color.rgb / factor, -kBrightest, kBrightest);
     float lit = luminance(light), scale = luminance(factor);
-    // unknown variance is taken to be as large as the light itself
+    // an unknown variance is assumed to be as large as the light itself
     bool known = KNOWS_VARIANCE != 0u && isFinite(albedo.a) && albedo.a >= 0.0;
     float variance = known ? min(albedo.a / (scale * scale), kBrightest * kBrightest) : lit * lit;
     lights[texel] = vec4(light, variance);

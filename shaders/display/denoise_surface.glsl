@@ -12,9 +12,9 @@
 
 // Normals more than about 20 degrees apart hardly count: exp(-48 (1 - cos 20)) = 0.06.
 const float kNormalSharpness = 48.0;
-// Deviation from the predicted plane that counts as the same surface: this share of the predicted slope ...
+// Largest deviation from the predicted plane that counts as the same surface: this share of the predicted slope ...
 const float kSlopeTolerance = 0.25;
-// ... plus this many pixel widths of depth per pixel of distance: a surface that turns away by 45 degrees.
+// ... plus this many pixel widths of depth per pixel of distance, as on a surface that turns away by 45 degrees.
 const float kDepthPixels = 1.0;
 
 // Largest light: its square, and products of four such values, fit into a float.

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Denoiser, third pass: the variance of each pixel's light. The estimate of a single pixel from few samples is itself
-// noisy, so it is averaged with its neighbours', as a standard deviation, to keep a few pixels of high variance (an
-// edge in a mirrored picture) from dominating. Without estimates the spatial variance of the light among the neighbours
-// is used.
+// noisy, so it is averaged with those of its neighbours, as a standard deviation, to keep a few pixels of high variance
+// (such as an edge in a reflection) from dominating. Without estimates, the spatial variance of the light among the
+// neighbours is used.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "shaders/display/denoise_grid.glsl"
@@ -22,10 +22,10 @@ layout(binding = BINDING_DENOISE_SURFACES) uniform samplerBuffer surface_texels;
 layout(binding = BINDING_DENOISE_SLOPES) uniform samplerBuffer slope_texels;
 layout(std430, binding = BINDING_DENOISE_LIGHT_OUT) writeonly buffer LightBuffer { vec4 lights[]; };
 
-// Half width and step of the window: 3x3 smooths given variances, 7x7 measures spatial variance (as Schied et al. 2017 do
-// for new pixels), where every second pixel is a third of the time for the same quality. Given variances need neighbours
-// at a step of 1: at 2, bright pixels in reflections of lamps would raise only the variance of pixels of their own parity,
-// and remain as lattices of dots.
+// Half width and step of the window: 3x3 to smooth given variances, 7x7 to measure spatial variance (as Schied et al.
+// 2017 do for new pixels), where every second pixel gives the same quality in a third of the time. Given variances need
+// a step of 1: with 2, bright pixels in reflections of lamps would raise only the variance of pixels of their own
+// parity, and remain as lattices of dots.
 const int kReach = KNOWS_VARIANCE != 0u ? 1 : 3, kStep = KNOWS_VARIANCE != 0u ? 1 : 2;
 
 void main() {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Linear light to 8-bit display values; must agree with runtime/image/tonemap.cpp, which does it for files.
+// Linear light to 8-bit display values; must agree with runtime/image/tonemap.cpp, which converts files.
 #ifndef POINTRT_SHADERS_DISPLAYED_COLOR_GLSL
 #define POINTRT_SHADERS_DISPLAYED_COLOR_GLSL
 #include "shaders/lib/math.glsl"

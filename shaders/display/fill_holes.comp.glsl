@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 // Gives each empty pixel a colour: the mean of its farthest neighbours, since disocclusions reveal background. Gaps
-// within one surface get that surface's colour, and pixels far from all points the mean of the tiles around. The pixels
-// still count as empty. A lane for each pixel, by tiles.
+// within one surface get that surface's colour, and pixels far from all points the mean of the surrounding tiles. The
+// pixels still count as empty. A lane for each pixel, by tiles.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_KHR_shader_subgroup_arithmetic : require
 #extension GL_KHR_shader_subgroup_basic : require
 #include "shaders/display/neighbors.glsl"
 
-// Distances in pixels at which to look for background around a hole: within a frame, a disocclusion is seldom wider
-// than twice the larger of them. In tiles with points in fewer than an eighth of their pixels, holes get the mean
-// colours of tiles, since neighbours are rare.
+// Distances in pixels at which to look for background around a hole: in one frame, a disocclusion seldom becomes wider
+// than twice the larger one. If a tile has points in fewer than an eighth of its pixels, its holes get the mean colours
+// of tiles instead, since neighbours are rare.
 const uint kFarRings[2] = uint[](3u, 7u);
 const uint kMinPointsInTile = TILE_PIXELS / 8u;
 

@@ -1,18 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0
-// Which point each pixel shows: its nearest one, unless that is seen through gaps in a nearer surface; and the colours
-// of tiles. A lane for each pixel, by tiles.
+// Finds the point that each pixel shows: the nearest one, unless it is seen through gaps in a nearer surface. Also sums
+// the colours of tiles. A lane for each pixel, by tiles.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_KHR_shader_subgroup_arithmetic : require
 #extension GL_KHR_shader_subgroup_basic : require
 #include "shaders/display/point_cache.glsl"
 
-// A neighbouring pixel whose depth is smaller by more than this factor occludes a point. Floors seen at a grazing angle
-// stay below it.
+// A neighbouring pixel whose depth is smaller by more than this factor occludes a point. On floors seen at a grazing
+// angle, neighbours differ by less.
 const float kOccludedDepthRatio = 1.02;
 // Next to a straight edge of an occluder, nearer points lie in at most this many of the 8 directions or octants.
 const int kMostNearer = 5;
-// Distance in pixels to which nearer points are searched if points are sparse: at most one per this many pixels.
+// Distance in pixels within which to search for nearer points if points are sparse, that is, at most one per
+// kSparsePixels pixels.
 const int kSparseReach = 6;
 const uint kSparsePixels = 4u;
 
@@ -20,7 +21,7 @@ int isNearer(uint pixel, float depth) { return nearestDepth(pixel) * kOccludedDe
 int isFilled(uint pixel) { return nearest[pixel].x != NO_INDEX ? 1 : 0; }
 
 uint octantWith(ivec2 place, ivec2 along, float depth) {
-    uvec2 at = uvec2(place + along); // beyond the upper and left edges it wraps to large numbers
+    uvec2 at = uvec2(place + along); // beyond the upper and left edges, coordinates wrap to large numbers
     if (!isInPicture(at) || isNearer(pixelAt(at), depth) == 0) return 0u;
     bool steep = abs(along.y) > abs(along.x);
     return 1u << ((along.x < 0 ? 1 : 0) | (along.y < 0 ? 2 : 0) | (steep ? 4 : 0));

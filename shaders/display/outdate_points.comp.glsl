@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Makes all colours old after lights, materials or shapes have changed. A lane for each place in the cache.
+// Marks all colours as old after lights, materials or shapes have changed. A lane for each place in the cache.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "shaders/display/point_cache.glsl"

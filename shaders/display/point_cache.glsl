@@ -17,7 +17,7 @@ layout(std430, binding = BINDING_CACHE_COLORS) buffer PointColorBuffer { uint po
 layout(std430, binding = BINDING_CACHE_VISIBLE) buffer VisibleBuffer { uint is_visible[]; }; // by point, 0 or 1
 // By point: the pixel it is projected to, or NO_INDEX, and its depth.
 layout(std430, binding = BINDING_CACHE_PROJECTED) buffer ProjectedBuffer { uvec2 projected[]; };
-// By pixel: depth and number of the nearest point, both NO_INDEX without one. Positive floats sort like their bits.
+// By pixel: depth and number of the nearest point, both NO_INDEX if none. Positive floats sort like their bits.
 layout(std430, binding = BINDING_CACHE_NEAREST) buffer NearestBuffer { uvec2 nearest[]; };
 layout(std430, binding = BINDING_CACHE_SEEN) buffer SeenBuffer { uint seen[]; };    // by pixel: its point, or NO_INDEX
 layout(std430, binding = BINDING_CACHE_SHOWN) buffer ShownBuffer { uint shown[]; }; // by pixel: 0xAARRGGBB
@@ -43,7 +43,7 @@ uint pixelCount() { return params.width * params.height; }
 uint pointCount() { return min(control.point_count, params.points); }
 uint infoOf(uint point) { return floatBitsToUint(points[point].w); }
 bool hasPoint(uint pixel) { return seen[pixel] != NO_INDEX; }
-// Behind everything for a pixel without a projected point.
+// Depth of the nearest point in a pixel; without a point, a depth behind everything.
 float nearestDepth(uint pixel) { return nearest[pixel].x == NO_INDEX ? 2.0 * kSkyDepth : uintBitsToFloat(nearest[pixel].x); }
 
 uvec2 placeOf(uint pixel) { return uvec2(pixel % params.width, pixel / params.width); }

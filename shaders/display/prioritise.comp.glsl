@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// How soon the considered pixels should be traced: disoccluded, wrong or old ones first, and those near the attention
-// point. A workgroup for each row of tiles.
+// Computes how soon the considered pixels should be traced: disoccluded, wrong or old ones first, and those near the
+// attention point. A workgroup for each row of tiles.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "shaders/display/considered.glsl"
@@ -51,7 +51,7 @@ void main() {
         sum += priority;
     }
     for (uint x = gl_LocalInvocationID.x; x < params.tiles_across; x += REPROJECT_GROUP)
-        // cleared for this frame, as advance_errors has read the last frame's errors
+        // clears it for this frame: advance_errors has read the errors of the last frame
         recorded[tile_row * params.tiles_across + x] = 0u;
     float total = groupSum(vec2(sum, 0.0)).x;
     if (gl_LocalInvocationID.x == 0u) row_sums[tile_row] = RowSum(total, 0.0);

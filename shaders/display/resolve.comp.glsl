@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Resolves the film's sums to means: a picture of the part shown, and the guides of the denoiser.
+// Resolves the film's sums to means: the picture of the film part to show, and the denoiser's guides.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "shaders/lib/color.glsl"
@@ -22,7 +22,7 @@ layout(std430, binding = BINDING_RESOLVE_SURFACES) writeonly buffer SurfaceBuffe
 // rgb: albedo, w: variance of the mean luminance
 layout(std430, binding = BINDING_RESOLVE_ALBEDOS) writeonly buffer AlbedoBuffer { vec4 albedos[]; };
 
-// Has no `if` on the number of layers: lavapipe would compile the program again for each of its values.
+// Has no `if` on the number of layers: lavapipe would compile the program again for each value.
 vec4 layer(uint pixel, uint which) {
     bool has_earlier = push.samples > float(FILM_BATCH);
     uint batch = which * push.film_pixels + pixel;
@@ -53,7 +53,7 @@ vec3 showCaustic(Pixel p) { return p.caustic.rgb * push.share; }
 // Relative standard deviation; 10% is shown as white.
 vec3 showNoise(Pixel p) { return vec3(10.0 * sqrt(p.variance) / max(luminance(p.beauty), 1e-3)); }
 
-// A colour per material: hues advance by the golden ratio, so that neighbours in the table differ most.
+// A colour for each material: hues advance by the golden ratio, so that neighbours in the table differ most.
 vec3 showMaterial(Pixel p) {
     if (p.hit.w < 0.0) return vec3(0.0);
     uint material = floatBitsToUint(first_hits[FIRST_HIT_VECTORS * p.number + 1u][HIT_MATERIAL]);

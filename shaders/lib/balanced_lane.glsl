@@ -6,12 +6,12 @@
 
 layout(local_size_x = WORKGROUP_SIZE) in;
 
-// Workgroups in a stretch. Their entries and paths span many memory pages, so that CPUs can prefetch.
+// Workgroups in a stretch: enough that their entries and paths span many memory pages, so that CPUs can prefetch.
 #define STRETCH 16u
 
 // lavapipe gives the first half of the workgroups to one thread and the rest to another. Each half takes one of every
-// two stretches, so that neither gets all of the sky. Which one follows the Thue-Morse sequence: strict alternation
-// would split the image by columns if a row has an even number of stretches.
+// two stretches, so that neither gets all of the sky. The Thue-Morse sequence decides which: strict alternation would
+// split the image by columns if a row has an even number of stretches.
 uint balancedLane() {
     uint half_count = (gl_NumWorkGroups.x + 1u) >> 1;
     uint side = gl_WorkGroupID.x < half_count ? 0u : 1u, group = gl_WorkGroupID.x - side * half_count;

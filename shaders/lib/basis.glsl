@@ -3,7 +3,7 @@
 #ifndef POINTRT_SHADERS_FRAME_GLSL
 #define POINTRT_SHADERS_FRAME_GLSL
 
-// Columns: two tangents and n, which must have unit length. frame * v transforms from the frame, v * frame into it.
+// Columns: two tangents and n, which must have unit length. frame * v transforms v out of the frame, v * frame into it.
 // Duff et al., Building an Orthonormal Basis, Revisited (2017).
 mat3 frameAround(vec3 n) {
     float sign_z = n.z >= 0.0 ? 1.0 : -1.0;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// All buffers of the programs of a frame. Those of an instance, and how to read each kind of buffer fastest:
-// instance_bindings.glsl.
+// All buffers of a frame's programs. See instance_bindings.glsl for those of an instance, and for the fastest way to
+// read each kind of buffer.
 #ifndef POINTRT_SHADERS_BINDINGS_GLSL
 #define POINTRT_SHADERS_BINDINGS_GLSL
 #include "shaders/lib/instance_bindings.glsl"
@@ -22,10 +22,10 @@ layout(std140, binding = BINDING_PARAMS) uniform ParamsBuffer { FrameParams para
 layout(std430, binding = BINDING_CONTROL) buffer ControlBuffer { Control control; };
 // In this order: two ray queues (the first initially holds tiles), LIST_DIRECT_LIGHT, the hit list, LIST_INSTANCE_RAYS,
 // and LIST_SHADOW_RAYS with SHADOW_RAYS_PER_PATH entries per path; with instance culling also the cull masks of a
-// list's entries, as many as LIST_SHADOW_RAYS has, and the culled lists, CULLED_ENTRIES per path
+// list's entries, with room for those of LIST_SHADOW_RAYS, and the culled lists, CULLED_ENTRIES per path
 layout(std430, binding = BINDING_QUEUES) buffer QueueBuffer { uint queues[]; };
 layout(std430, binding = BINDING_PATHS) buffer PathBuffer { PathState paths[]; };
-// splats, as in TraceHit: t as bits, cell, disc (an index into the listed splats), owner; once surface has read that: t,
+// splats, as in TraceHit: t as bits, cell, disc (an index into the listed splats), owner; after the program surface: t,
 // offset radius as bits, splat, owner with the tile above it (HIT_TILE_SHIFT). Shapes: t, 0, shape, OWNER_SHAPES
 layout(rgba32ui, binding = BINDING_HITS) uniform uimageBuffer hit_texels;
 layout(std430, binding = BINDING_LIGHT_QUERIES) buffer LightQueryBuffer { DirectLightQuery light_queries[]; };
@@ -77,7 +77,7 @@ layout(push_constant) uniform Push { PushParams push; };
 #define loadListedPixel(i) texelFetch(pixel_list_words, int(i)).x
 #define loadHit(path) imageLoad(hit_texels, int(path))
 
-// Texels are fetched as integers: integers in them would read as denormal floats, which drivers may flush to 0.
+// Texels are fetched as integers: fetched as floats, integers in them would be denormals, which drivers may flush to 0.
 float asFloat(uint word) { return uintBitsToFloat(word); }
 vec3 asVector(uvec4 words) { return uintBitsToFloat(words.xyz); }
 vec4 materialVector(int i) { return uintBitsToFloat(texelFetch(material_texels, i)); }

@@ -7,8 +7,7 @@
 #include "shaders/shared/panorama.h"
 #include "shaders/shared/spec_constants.h"
 
-// A specialization constant: lavapipe would compile a program again, at each binding, for the value in params that a
-// branch depends on.
+// A specialization constant: lavapipe recompiles a program at each binding if a branch depends on a value in params.
 layout(constant_id = SPEC_PANORAMA_EYES) const uint kPanoramaEyes = 0u;
 const bool kIsPanorama = kPanoramaEyes != 0u, kIsStereo = kPanoramaEyes == 2u;
 
@@ -29,8 +28,8 @@ bool isPixel(uint lane) {
     return lane < bandLanes() && pixel.x < params.width && pixel.y < params.rows;
 }
 
-// Position of the sample within its pixel: R2 sequence (Roberts 2018), steps of 1/p and 1/p^2 for the plastic number p,
-// in units of 2^-32 so that late samples lose no bits; shifted per pixel.
+// Position of the sample within its pixel: the R2 sequence (Roberts 2018), with steps of 1/p and 1/p^2 for the plastic
+// number p, in units of 2^-32 so that late samples lose no bits; shifted differently in each pixel.
 vec2 samplePosition(uint pixel) {
     if (hasStep(STEP_CENTER)) return vec2(0.5);
     uvec2 steps = push.sample_index * uvec2(0xC13FA9A9u, 0x91E10DA6u);
@@ -43,7 +42,7 @@ struct CameraRay {
     vec3 direction;
 };
 
-// Corner of a pixel of the band in the picture. Computed in integers, so that rays do not depend on the bands.
+// Corner, in the picture, of a pixel of the band. Computed in integers, so that rays do not depend on the bands.
 vec2 pixelCorner(uvec2 pixel) { return vec2(pixel.x, pixel.y + params.first_row); }
 
 // Position in pixels of the picture to a position on an image plane of this half height, x right and y up from its
@@ -55,15 +54,15 @@ vec2 onPlane(vec2 pixel, float half_height) {
 
 vec3 displaced(vec3 middle, vec2 plane) { return middle + plane.x * params.right + plane.y * params.up; }
 
-// A panorama's longitude, 0 at forward and growing to the right, and latitude over the horizon. In stereo the left eye's
-// picture is above the right eye's.
+// A panorama's longitude, 0 at forward and growing to the right, and latitude over the horizon. In stereo the left
+// eye's picture is above the right eye's.
 vec2 panoramaAngles(vec2 pixel) {
     vec2 at = pixel / vec2(params.picture_width, params.picture_height);
     if (kIsStereo) at.y = fract(2.0 * at.y);
     return vec2((2.0 * at.x - 1.0) * kPi, (0.5 - at.y) * kPi);
 }
 
-// How far an eye is to the right of the middle of the head, at a latitude with this cosine.
+// Distance of an eye to the right of the middle of the head, at a latitude with this cosine.
 float eyeAside(vec2 pixel, float cosine) {
     bool is_left = 2.0 * pixel.y < float(params.picture_height);
     return (is_left ? -1.0 : 1.0) * params.half_eye_distance * min(1.0, cosine / PANORAMA_FULL_STEREO_COSINE);
@@ -78,8 +77,8 @@ CameraRay panoramaRay(vec2 pixel) {
     return CameraRay(params.eye + eyeAside(pixel, level) * aside, normalize(direction));
 }
 
-// One formula for both projections onto a plane. A pinhole: origins coincide (half_window is 0), directions spread over
-// the plane at distance 1. A parallel projection: origins spread over the image plane, directions coincide.
+// One formula for both projections onto a plane. Pinhole: origins coincide (half_window is 0) and directions spread
+// over the plane at distance 1. Parallel projection: origins spread over the image plane and directions coincide.
 CameraRay rayThrough(vec2 pixel) {
     if (kIsPanorama) return panoramaRay(pixel);
     return CameraRay(displaced(params.eye, onPlane(pixel, params.half_window)),

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Features of the scene as specialization constants: programs leave out code for absent features. On lavapipe branches
-// skip no code, so code that is present costs time whether or not it applies.
+// Features of the scene as specialization constants: programs leave out code for absent features. On lavapipe, branches
+// skip no code, so code costs time even where it does not apply.
 #ifndef POINTRT_SHADERS_FEATURES_GLSL
 #define POINTRT_SHADERS_FEATURES_GLSL
 #include "shaders/shared/integrators.h"
@@ -18,19 +18,19 @@ const bool kHoldsShapes = (kShapeKinds & kShapeCountMask) != 0u;
 const uint kHeldShapes = (kShapeKinds & kShapeCountMask) - 1u; // number of them
 #define kHoldsShapes kHoldsShapes // tested by shapes.glsl
 
-// Camera pass: one lane per pixel, with camera rays. Otherwise one lane per path of the ray queue. Each has its own
-// programs. CAMERA: a program of the camera pass only, without the queues that other passes read and write.
+// The camera pass has a lane per pixel, with camera rays; other passes have a lane per path of the ray queue. Each has
+// its own programs. CAMERA: a program for the camera pass only, without the queues that other passes read and write.
 #ifdef CAMERA
 const bool kCameraPass = true;
 #else
 layout(constant_id = SPEC_CAMERA_PASS) const bool kCameraPass = false;
 #endif
 
-// Whether the megakernel gathers photons. In the wavefront form the program caustic does.
+// Whether the megakernel gathers photons. In the wavefront form, the program caustic gathers them.
 layout(constant_id = SPEC_GATHERS_PHOTONS) const bool kGathersPhotons = false;
 
-// Whether each dispatch of the megakernel traces one bounce. Without the loop, GPUs have registers for more paths at
-// once, and their lanes do not wait for the longest path.
+// Whether each dispatch of the megakernel traces a single bounce. Without the loop, GPUs have registers for more paths
+// at once, and their lanes do not wait for the longest path.
 layout(constant_id = SPEC_ONE_BOUNCE) const bool kOneBounce = false;
 
 #define mayHaveLight(kind) ((kFeatures & FEATURE_LIGHT(kind)) != 0u)

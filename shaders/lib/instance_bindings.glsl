@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// The buffers of one instance. Random reads go through texel buffers: on lavapipe those are hardware gathers, three
-// times as fast as storage buffers, and they may hold 2 GiB, while storage buffers end at 128 MiB. Larger buffers have
-// further pages in a separate descriptor set, for programs built with PAGED (pages.glsl). The loops of traversal and
-// blending read image buffers: lavapipe inlines image loads, while texel fetches are calls that spill all live
-// registers. GPUs read buffers of one page as storage buffers: plain loads through their caches, where texels take the
-// way of textures and images. POOLED: programs for the tiles in a block, each lane of which chooses its tile
+// The buffers of one instance. Random reads go through texel buffers: on lavapipe these reads are hardware gathers,
+// three times as fast as reads of storage buffers, and texel buffers may hold 2 GiB, while storage buffers end at 128
+// MiB. Larger buffers have further pages in a separate descriptor set, for programs built with PAGED (pages.glsl). The
+// loops of traversal and blending read image buffers: lavapipe inlines image loads, while texel fetches are calls that
+// spill all live registers. GPUs read buffers of one page as storage buffers, with plain cached loads instead of the
+// texture path that texels take. POOLED: programs for the tiles in a block, in which each lane chooses its tile
 // (pool.glsl).
 #ifndef POINTRT_SHADERS_INSTANCE_BINDINGS_GLSL
 #define POINTRT_SHADERS_INSTANCE_BINDINGS_GLSL
@@ -63,8 +63,8 @@ layout(std140, binding = BINDING_INSTANCE) uniform InstanceBuffer { InstancePara
 #define loadSplat(i) LOAD_IMAGE(splat_array, splat_words, i)
 #endif
 
-// A number below 2^31 from a uniform block that controls a loop or a branch. Without this lavapipe treats it as a
-// constant and recompiles the program at each dispatch, which takes milliseconds.
+// Wraps a number below 2^31 from a uniform block that controls a loop or a branch. Without this, lavapipe treats the
+// number as a constant and recompiles the program at each dispatch, which takes milliseconds.
 uint ofLane(uint number) { return min(number, 0x80000000u | gl_LocalInvocationID.x); }
 
 #endif

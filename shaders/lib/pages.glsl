@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 // Loads from buffers larger than one texel buffer. Page 0 is bound where unpaged programs bind the whole buffer
 // (instance_bindings.glsl); page k >= 1 is element k - 1 of an array in set 1. Some drivers, lavapipe among them, index
-// such arrays by constants only: so every page in use is fetched from, at index 0 if it does not hold the texel, and
-// the right result selected.
+// such arrays by constants only. So a load fetches from every page in use, at index 0 if the page does not hold the
+// texel, and selects the right result.
 #ifndef POINTRT_SHADERS_PAGES_GLSL
 #define POINTRT_SHADERS_PAGES_GLSL
 #include "shaders/shared/bindings.h"
 #include "shaders/shared/pages.h"
 #include "shaders/shared/spec_constants.h"
 
-// A page has 2^kPageBits texels. Then: pages in use of each buffer, 1 to MAX_PAGES.
+// A page has 2^kPageBits texels. The other constants: pages in use of each buffer, 1 to MAX_PAGES.
 layout(constant_id = SPEC_PAGE_BITS) const uint kPageBits = 27u;
 layout(constant_id = SPEC_BRICK_PAGES) const uint kBrickPages = 1u;
 layout(constant_id = SPEC_CELL_PAGES) const uint kCellPages = 1u;

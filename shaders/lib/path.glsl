@@ -29,7 +29,7 @@ PathState pathOf(uint index) {
     return storedPath(index);
 }
 
-// index: number of the path, NO_INDEX if this lane has none.
+// The path of this lane. index: its number, NO_INDEX if this lane has no path.
 PathState currentPath(out uint index) {
     uint lane = balancedLane();
     index = kCameraPass ? (isPixel(lane) ? lane : NO_INDEX) : queuedIndex(lane);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Tiles that lie in one block (runtime/gpu/texel_pool.h): a lane selects a tile and then reads it as other programs read
-// their instance.
+// Tiles that lie in one block (runtime/gpu/texel_pool.h): a lane selects a tile and then reads it as other programs
+// read their instance.
 #ifndef POINTRT_SHADERS_POOL_GLSL
 #define POINTRT_SHADERS_POOL_GLSL
 
@@ -44,9 +44,8 @@ void selectTile(uint place) {
 }
 
 // A lane loads the data of its tile and its ray again where it needs them: with the 64 registers of a walk, GPUs keep
-// more rays in flight than with the 96 registers that would hold everything in between. Compilers would keep values
-// that they have loaded from the same place; so the place depends on a row that is never negative, which compilers do
-// not know.
+// more rays in flight than with the 96 registers that would hold everything in between. Compilers would merge loads
+// from the same address, so the address depends on the sign of a row, which compilers do not know is never negative.
 uint again(uint index) { return index + (pooled_row < 0 ? 1u : 0u); }
 
 // Loads what the walk needs from cell to cell.

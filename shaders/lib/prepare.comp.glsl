@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// One lane between dispatches: turns queue lengths into group counts of the next dispatches, and counts their rays.
+// A single lane between dispatches: turns queue lengths into group counts of the next dispatches, and counts rays.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "shaders/lib/bindings.glsl"
@@ -52,7 +52,7 @@ void swapQueues() {
 }
 
 // Allocates the culled lists of a cull group one after the other. An instance whose list does not fit gets all entries
-// of the list that was culled.
+// of the list before culling.
 void allocateCulledLists(uint source) {
     uint start = culledListStart();
     for (uint list = LIST_CULLED; list < LISTS; list++) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Low-discrepancy samples: an Owen-scrambled Sobol sequence for each pixel and pair of dimensions. Its samples 0 to
-// 2^k - 1, and every following 2^k, put one point into each elementary interval of area 2^-k. Pairs of dimensions are
+// Low-discrepancy samples: an Owen-scrambled Sobol sequence for each pixel and pair of dimensions. Its first 2^k
+// samples, and every following 2^k, put one point into each elementary interval of area 2^-k. Pairs of dimensions are
 // padded: each sequence is shuffled independently, so that pairs are uncorrelated.
 // After Burley, Practical Hash-Based Owen Scrambling (JCGT 9(4), 2020).
 #ifndef POINTRT_SHADERS_SAMPLER_GLSL
@@ -8,8 +8,8 @@
 
 #include "shaders/lib/random.glsl"
 
-// Owen scrambling of a bit-reversed number: flips each bit by a hash of the bits below it. Vegdahl's hash (Building a
-// Better LK Hash, 2021), of better quality than that of Laine and Karras at the same cost.
+// Owen scrambling of a bit-reversed number: flips each bit depending on a hash of the bits below it. Vegdahl's hash
+// (Building a Better LK Hash, 2021) is better than that of Laine and Karras at the same cost.
 uint scrambleReversed(uint x, uint seed) {
     x ^= x * 0x3D20ADEAu;
     x += seed;
@@ -42,7 +42,7 @@ vec2 sample2(uint pixel, uint sample_index, uint dimension_pair, uint seed) {
     return vec2(unitFloat(x), unitFloat(y));
 }
 
-// The first number of the pair only, in [0, 1). It uses up the pair.
+// Only the first number of the pair, in [0, 1). The pair counts as used.
 float sample1(uint pixel, uint sample_index, uint dimension_pair, uint seed) {
     uvec3 hash = pcg3(uvec3(pixel, dimension_pair, seed));
     uint index = bitfieldReverse(scrambleReversed(bitfieldReverse(sample_index), hash.x));

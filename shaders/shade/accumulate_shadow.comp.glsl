@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Accumulates the contributions of the megakernel's unoccluded shadow rays. For culled lists only: without culling,
-// intersect_shadow_ray does it at the last instance.
+// intersect_shadow_ray accumulates them at the last instance.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "shaders/shade/film.glsl"

@@ -8,8 +8,8 @@
 
 const bool kIsAmbient = integratorHas(kIntegrator, INTEGRATOR_IS_AMBIENT);
 
-// The largest distance at which surfaces occlude, in heights of the picture: hollows are equally dark at every zoom.
-// The ends of rays are spread up to it, so that occlusion fades with distance.
+// The largest distance at which surfaces occlude, in picture heights, so that hollows are equally dark at every zoom.
+// The lengths of rays are spread up to this distance, so that occlusion fades with distance.
 const float kReachShare = 0.25;
 
 // Height of the scene in the picture at the distance of a point.
@@ -17,7 +17,7 @@ float pictureHeightAt(vec3 position) {
     return 2.0 * (params.half_window + params.tan_half_fov * distance(position, params.eye));
 }
 
-// A direction with the density of its cosine (Malley's method), and a random reach.
+// A cosine-weighted direction (Malley's method), and a random reach.
 LightSample sampleSurroundings(vec3 position, vec3 normal, vec2 u, float u_reach) {
     float sine = sqrt(u.x), azimuth = 2.0 * kPi * u.y;
     vec3 direction = vec3(sine * cos(azimuth), sine * sin(azimuth), sqrt(1.0 - u.x));

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Composites what gather_gaussians has gathered in a round, and lists the rays that continue. See composite_gaussians,
-// which does both for a single instance.
+// Composites the Gaussians that gather_gaussians has gathered in a round, and lists the rays that continue.
+// composite_gaussians does the work of both programs for a single instance.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "shaders/lib/path.glsl"

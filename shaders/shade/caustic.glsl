@@ -14,7 +14,7 @@ uint photonBucket(ivec3 cell, uint level) {
     return (c.x * PHOTON_HASH_X ^ c.y * PHOTON_HASH_Y ^ c.z * PHOTON_HASH_Z ^ level * PHOTON_HASH_LEVEL) % PHOTON_BUCKETS;
 }
 
-// Cosine of the largest angle between normals of the same surface, as for splats that blend: 60 degrees.
+// Cosine of the largest angle between normals of one surface, 60 degrees as for splats that blend.
 const float kSameSurface = 0.5;
 
 // Kernel times the photon's flux, without 3 / (pi r^2). 0 for photons of other levels and out of reach, which may share
@@ -42,7 +42,7 @@ vec3 levelIrradiance(PhotonLevel level, uint number, bool live, vec3 position, v
     return sum * (3.0 / (3.14159265358979 * squared_radius));
 }
 
-// Irradiance by photons at a point whose unit normal is on the lit side; 0 if not live.
+// Irradiance due to photons at a point whose unit normal is on the lit side; 0 if not live.
 vec3 causticIrradiance(bool live, vec3 position, vec3 normal) {
     vec3 sum = vec3(0.0);
     for (uint i = 0u; i < PHOTON_LEVELS; i++) sum += levelIrradiance(loadPhotonLevel(i), i, live, position, normal);

@@ -5,7 +5,7 @@
 #include "shaders/shade/caustic.glsl"
 #include "shaders/shade/make_bsdf.glsl"
 
-// row, bsdf: of the surface at the query. 0 if not live.
+// The light towards the query's view direction; 0 if not live. row, bsdf: of the surface at the query.
 vec3 causticLight(bool live, DirectLightQuery query, Material row, Bsdf bsdf) {
     if (!isClassic()) bsdf.mirrored = 0.0; // no separate mirror rays take a share of the glossy lobe
     vec3 albedo = gathersPhotons(row) ? smoothAlbedo(bsdf) : vec3(0.0);

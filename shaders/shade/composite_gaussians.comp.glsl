@@ -3,10 +3,10 @@
 // behind.
 //
 // Captures are trained with display-encoded colours, so Gaussians are composited in that encoding, and the result is
-// decoded once. A plain background is composited in that encoding, too, as in viewers of such captures.
+// decoded once. A plain background is composited in that encoding, too, as other viewers of captures do.
 //
-// To be lit by the scene, each ray sees one surface: where it meets the Gaussian that adds most, with the composited
-// normals, and the composited constant terms as its albedo (deferred shading).
+// If the scene lights Gaussians, each ray sees one surface, where it meets the Gaussian that adds most: with the
+// composited normals, and with the composited constant terms as its albedo (deferred shading).
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "shaders/lib/path.glsl"
@@ -16,10 +16,9 @@
 struct Composite {
     vec3 light;
     float transmittance;
-    // the hit behind which less than half passes, or for lit Gaussians the one that adds most; if it is in this
-    // instance
+    // if in this instance: the hit behind which less than half passes, or for lit Gaussians the hit that adds most
     GaussianHit middle;
-    float most;         // the most that one Gaussian adds; this and the next only if they are lit
+    float most;         // the most that one Gaussian adds; this and the next only for lit Gaussians
     vec3 normal;        // sum of the normals in render space, each times what its Gaussian adds
 };
 
@@ -40,8 +39,8 @@ void addGaussian(inout Composite sum, GaussianHit hit, vec3 direction) {
 
 bool isTransparent(Composite sum) { return passesLight(sum.transmittance); }
 
-// Returns whether lavapipe has ended the loops, which may run 65,535 times together. Then the hits up to hits.last have
-// been added.
+// Returns whether lavapipe has ended the loops, which may run 65,535 iterations together. The hits up to hits.last have
+// then been added.
 bool compositeAlong(inout GaussianHits hits, bool enters, bool live, inout Composite sum) {
     bool going, lives = live;
     do {

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
-// Continues a path after a hit. Refraction splits a ray in two: stochastic integrators follow one of them, the others
-// defer the second.
+// Continues a path after a hit. Glass splits a ray in two, reflected and refracted: stochastic integrators follow one
+// of them, the other integrators defer the second.
 #ifndef POINTRT_SHADERS_CONTINUE_PATH_GLSL
 #define POINTRT_SHADERS_CONTINUE_PATH_GLSL
 #include "shaders/shade/shade_hit.glsl"
 
 const bool kMayDefer = mayRefract && !integratorHas(kIntegrator, INTEGRATOR_IS_STOCHASTIC);
 
-// The ray to follow. defers: the other one is to be deferred. If no more rays can be deferred, one of the two is chosen
-// at random, with the weight of both.
+// The ray to follow. defers: whether to defer the other one. If no more rays can be deferred, chooses one of the two at
+// random and gives it the weight of both.
 NextRay chooseRay(Shading shading, uint bounce, uint index, uint deferred_count, out bool defers) {
     float u = sample2(imagePixel(index), push.sample_index, dimensionPair(bounce, PAIR_CHOICES), params.seed).y;
     float first = luminance(shading.first.weight), second = luminance(shading.second.weight);

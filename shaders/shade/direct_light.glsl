@@ -43,7 +43,7 @@ uint lightOfSample(uint number, uint path, uint bounce) {
     return min(uint(u * float(params.light_count)), params.light_count - 1u);
 }
 
-// Beyond the pairs that bounces use.
+// The first sample pair beyond those that bounces use.
 #define FIRST_LIGHT_PAIR 2048u
 
 LightSample sampleAnyLight(Light light, vec3 position, vec2 u) {
@@ -73,7 +73,7 @@ uint shapeOfLight(Light light) {
 
 bool facesLight(DirectLightQuery query, LightSample to) { return dot(query.normal, to.direction) > 0.0; }
 
-// Shadow rays end just before their light: by a share of the distance that is larger than the rounding of floats.
+// Shadow rays end just before their light, at this share of the distance: farther from 1 than the rounding of floats.
 const float kBeforeLight = 0.99999;
 
 // A light sample and the start of its shadow ray.

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// Two-sided disc light. It is sampled by area, which has low variance if all of it is about as far away. From nearer
-// than its radius, it is sampled by the solid angle of the square around it, whose corners emit nothing: there,
-// sampling by area is unbounded (Gamito, Solid Angle Sampling of Disk and Cylinder Lights, EGSR 2016).
+// Two-sided disc light. Sampled by area, which has low variance if all points of the disc are about equally far away.
+// From points nearer than the radius, where the variance of area sampling is unbounded, sampled by the solid angle of
+// the square around the disc, whose corners emit nothing (Gamito, Solid Angle Sampling of Disk and Cylinder Lights,
+// EGSR 2016).
 #ifndef POINTRT_SHADERS_DISC_LIGHT_GLSL
 #define POINTRT_SHADERS_DISC_LIGHT_GLSL
 #include "shaders/shade/quad_light.glsl"
@@ -32,7 +33,7 @@ LightSample sampleDisc(Light light, vec3 point, vec2 u) {
     vec2 at = near ? solidAnglePoint(square, ends, u) : center + radius * concentricPoint(u), off = at - center;
     vec3 way = at.x * square.x_axis + at.y * square.y_axis + square.depth * square.z_axis;
     float squared = max(dot(way, way), 1e-30), distance = sqrt(squared);
-    // solid angle of the disc if all of it were at this distance and angle
+    // the disc's solid angle if all its points were at this distance and angle
     float seen_area = kPi * radius * radius * square.depth / (squared * distance);
     float square_angle = dot(off, off) < radius * radius ? max(ends.y - ends.x, 0.0) : 0.0;
     float pdf = near ? nearQuadPdf(ends) : 1.0 / max(seen_area, 1.0 / kHighestPdf);

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// Environment image: radiance, and importance sampling of directions (Pharr, Jakob and Humphreys, Physically
-// Based Rendering, "Piecewise-Constant 2D Distributions"). Data: runtime/device_scene/environment.h. The program
-// defines
+// Environment image: radiance, and importance sampling of directions (Pharr, Jakob and Humphreys, Physically Based
+// Rendering, "Piecewise-Constant 2D Distributions"). Data: runtime/device_scene/environment.h. The program defines
 //   loadEnvironmentTexel(i)  rgb of texel i of the image, row by row
-//   loadEnvironmentCdf(i)    word i of the cumulative distributions: rows + 1 for the rows, then columns + 1 for
-//   each row
+//   loadEnvironmentCdf(i)    word i of the cumulative distributions: rows + 1 for the rows, then columns + 1 for each
+//                            row
 #ifndef POINTRT_SHADERS_ENVIRONMENT_GLSL
 #define POINTRT_SHADERS_ENVIRONMENT_GLSL
 
@@ -41,7 +40,7 @@ vec3 environmentRadiance(EnvironmentFrame frame, vec3 direction) {
     return environmentLookup(frame, environmentPoint(frame, direction).xy);
 }
 
-// Probabilities of the row and of the column within it to a density over solid angle.
+// Density over solid angle, from the probabilities of the row and of the column within the row.
 float environmentDensity(EnvironmentFrame frame, float row_share, float column_share, float sine) {
     const float cells = float(frame.size.z * frame.size.w);
     return sine > 0.0 ? row_share * column_share * cells / (2.0 * kPi * kPi * sine) : 0.0;

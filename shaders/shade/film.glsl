@@ -8,15 +8,15 @@
 
 uint filmIndex(uint path, uint layer) { return layer * params.film_pixels + params.film_first + bandPixel(path); }
 
-// Accumulates light that was scattered this many times on its way from its source to the pixel. Skips black, to save
-// memory traffic.
+// Accumulates light that was scattered this many times between its source and the pixel. Skips black, to save memory
+// traffic.
 void accumulateLight(uint path, vec3 light, uint scatterings) {
     if (light == vec3(0.0)) return;
     film[filmIndex(path, scatterings <= 1u ? LAYER_DIRECT : LAYER_INDIRECT)].rgb += light;
     film[filmIndex(path, LAYER_INDIRECT)].w += luminance(light);
 }
 
-// Whether paths may change LAYER_DIRECT. Light that reaches paths which have scattered more than once is indirect.
+// Whether paths may change LAYER_DIRECT. Light that reaches a path after more than one scattering is indirect.
 bool mayAddDirect() { return kCameraPass || !kOneBounce || hasStep(STEP_DIRECT); }
 
 // The sums of the layers from first on: 0, or FILM_LAYERS for the earlier batches. Excludes layers that only the camera

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The sums of a pixel over its samples: over those of the current batch, and over those of the earlier batches.
+// The sums of a pixel over the samples of the current batch, and over those of the earlier batches.
 #ifndef POINTRT_SHADERS_FILM_SUMS_GLSL
 #define POINTRT_SHADERS_FILM_SUMS_GLSL
 #include "shaders/shared/luminance.h"
@@ -30,12 +30,12 @@ void accumulateCaustic(inout PixelSums sums, vec3 light) {
 PixelSums beginSample(PixelSums sums, float covered, vec3 albedo, uint sample_index) {
     if (sample_index == 0u) sums = kNoSums;
     LuminanceMoments moments = addLuminance(LuminanceMoments(sums.albedo.w, sums.caustic.w), sums.indirect.w,
-                                            max(float(sample_index), 1.0)); // of zeros for the first sample
+                                            max(float(sample_index), 1.0)); // for the first sample, adds only zeros
     return PixelSums(sums.direct + vec4(vec3(0.0), covered), vec4(sums.indirect.rgb, 0.0),
                      vec4(sums.caustic.rgb, moments.squares), vec4(sums.albedo.rgb + albedo, moments.mean));
 }
 
-// The last sample's luminance and the mean luminance are not sums: they stay with the current batch.
+// The last sample's luminance and the mean luminance are not sums, so they are left to the current batch.
 PixelSums addBatch(PixelSums earlier, PixelSums batch) {
     return PixelSums(earlier.direct + batch.direct, vec4(earlier.indirect.rgb + batch.indirect.rgb, 0.0),
                      earlier.caustic + batch.caustic, vec4(earlier.albedo.rgb + batch.albedo.rgb, 0.0));

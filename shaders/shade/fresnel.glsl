@@ -24,7 +24,7 @@ float dielectricReflectance(float cosine, float eta, out float cosine_behind) {
     return 0.5 * (across * across + along * along);
 }
 
-// Reflectance of a pane whose sides each have reflectance side: the sum over all internal reflections.
+// Reflectance of a pane, the sum over all internal reflections. side: reflectance of each of its two sides.
 float paneReflectance(float side) { return 2.0 * side / (1.0 + side); }
 
 // Refracted direction of light from wo. cosine = dot(n, wo).

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Several instances of Gaussians are composited in rounds. In each round and for each instance, this gathers the first
-// Gaussians along a ray behind those that have been composited; blend_gaussians and blend_first_hits composite them in
-// the order of all instances.
+// Several instances of Gaussians are composited in rounds. In each round and for each instance, this program gathers
+// the first Gaussians along a ray behind those that have been composited. Then blend_gaussians or blend_first_hits
+// composites them in their order along the ray, across all instances.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "shaders/lib/path.glsl"
@@ -11,11 +11,12 @@
 #include "shaders/trace/splat.glsl"
 #include "shaders/trace/waiting_gaussians.glsl"
 
-// Margins, relative to the distance and to the cube: the walk begins this much before the last Gaussian and ends this
-// much behind the farthest that waits, since stored distances have been rounded twice.
+// Margin, relative to the distance and to the cube: the walk begins this much before the last Gaussian composited and
+// ends this much behind the farthest waiting one, since stored distances have been rounded twice.
 const float kSlack = 4e-6;
 
-// A render distance along the ray, from where it enters the cube.
+// A distance in render units along the ray, converted to cube units from where the ray enters the cube, minus or plus
+// the margin.
 float earlier(float t, GaussianRay ray) { return t * cubeScale() - ray.t_start - kSlack * (1.0 + t * cubeScale()); }
 float later(float t, GaussianRay ray) { return t * cubeScale() - ray.t_start + kSlack * (1.0 + t * cubeScale()); }
 

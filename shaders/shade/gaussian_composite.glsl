@@ -18,8 +18,8 @@ vec3 gaussianColor(uint gaussian, vec4 look, vec3 direction) {
     return max(kRelights ? look.yzw : look.yzw + harmonicsAlong(gaussian, direction), vec3(0.0));
 }
 
-// Linear light, to which the light from behind is added with the share that passes. background: what the ray sees
-// behind the Gaussians if it hits nothing.
+// Linear light, to which the light from behind is then added, times the share that passes. misses: behind the Gaussians
+// the ray sees only the background.
 vec3 decodedLight(vec3 encoded, float passes, bool misses) {
     bool plain = !kSkyImage && params.sky_zenith == params.sky_horizon && params.sky_ground == params.sky_horizon;
     vec3 background = params.sky_horizon;
@@ -29,7 +29,7 @@ vec3 decodedLight(vec3 encoded, float passes, bool misses) {
     return plain && misses && !hasOption(OPTION_TRANSPARENT) && !kRelights ? over : alone;
 }
 
-// Integrators normal and depth show a ray's middle as an opaque surface. Rays without a middle see what is behind.
+// The integrators normal and depth show a ray's middle as an opaque surface. Rays without a middle see through.
 // light: of the Gaussians, and the share that passes; middle: of GaussianLight
 vec4 surfaceViewOf(vec4 light, vec4 middle) {
     if (kShading != SHADING_NORMAL && kShading != SHADING_DEPTH) return light;
@@ -37,9 +37,9 @@ vec4 surfaceViewOf(vec4 light, vec4 middle) {
     return middle.w < kWalkEnded ? vec4(color, 0.0) : vec4(vec3(0.0), 1.0);
 }
 
-// The radius by which shadow rays of lit Gaussians are offset (shaders/trace/offset.glsl): about a deviation along the
-// middle axis, which is a third of its half length. A surface is a layer of Gaussians that overlap and do not lie in one
-// plane.
+// The radius by which shadow rays of lit Gaussians are offset (shaders/trace/offset.glsl): about one standard deviation
+// along the axis of middle length, a third of its half length. A surface is a layer of overlapping Gaussians that do
+// not lie in one plane.
 float radiusOf(uint gaussian) {
     vec3 x = loadGaussianRow(gaussian, 0u).xyz, y = loadGaussianRow(gaussian, 1u).xyz;
     vec3 z = loadGaussianRow(gaussian, 2u).xyz;
@@ -48,8 +48,8 @@ float radiusOf(uint gaussian) {
     return 1.0 / (3.0 * sqrt(middle) * cubeScale());
 }
 
-// Data that GaussianLight stores of Gaussians that the scene lights. normal: the sum of normals; most: the most that
-// one Gaussian adds
+// Stores the surface data of lit Gaussians in the members of GaussianLight. normal: the sum of normals; most: the most
+// that one Gaussian adds
 void storeSurface(vec3 normal, float most, bool complete, float radius, vec3 light, inout vec4 next, inout vec4 middle) {
     if (!kRelights) return;
     float length_squared = dot(normal, normal);

@@ -15,8 +15,8 @@ vec3 passGaussians(inout PathState path, vec4 gaussians) {
     return light;
 }
 
-// Coverage and albedo of a pixel whose ray passes through Gaussians before its hit, which has these. Gaussians emit
-// what they show, so their light counts as albedo, unless the scene lights them.
+// Coverage and albedo of a pixel whose ray passes through Gaussians before a hit with these values. Gaussians emit what
+// they show, so their light counts as albedo, unless the scene lights them.
 float coverageBehind(float covered, vec4 gaussians) {
     return kHasGaussians ? 1.0 - gaussians.a * (1.0 - covered) : covered;
 }

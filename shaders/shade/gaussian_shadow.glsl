@@ -5,7 +5,7 @@
 #include "shaders/trace/splat.glsl"
 #include "shaders/trace/gaussian_transmittance.glsl"
 
-// A ray with negative t_max hits nothing.
+// The share of light that an instance of Gaussians lets pass. A ray with negative t_max hits nothing.
 float passedByGaussians(ShadowRay shadow, bool live) {
     bool enters, cut;
     // rays from lit Gaussians, the only ones without an owner, must not hit their own surface

@@ -38,8 +38,8 @@ struct GgxLobe {
     float pdf;    // of glossy directions by ggxOrCosineSample, over solid angle
 };
 
-// Both cosines, of wo and wi with n, must be above 0. The sine of the half vector is computed by a cross product:
-// 1 - cosine^2 would cancel for narrow lobes.
+// Both cosines, of wo and wi with n, must be above 0. The sine of the half vector's angle to n is computed by a cross
+// product: 1 - cosine^2 would cancel for narrow lobes.
 GgxLobe ggxLobe(float alpha, vec3 n, vec3 wo, vec3 wi, float cosine_o, float cosine_i) {
     vec3 half_way = wo + wi, across = cross(n, half_way);
     float length2 = max(dot(half_way, half_way), 1e-12), along = dot(n, half_way);

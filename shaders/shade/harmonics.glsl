@@ -16,7 +16,7 @@ vec3 weighHarmonics(uvec4 words, vec4 basis) {
 }
 
 // The colour of a Gaussian without its constant term. d: unit direction of the ray in the frame of the Gaussians.
-// The coefficients of each degree are shares of the largest one (instance.harmonics).
+// Coefficients are stored relative to the largest one of their degree (instance.harmonics).
 vec3 harmonicsAlong(uint gaussian, vec3 d) {
     if (kHarmonics == 0u) return vec3(0.0);
     float x = d.x, y = d.y, z = d.z, xx = x * x, yy = y * y, zz = z * z;

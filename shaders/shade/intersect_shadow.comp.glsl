@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Intersects the shadow rays of LIST_SHADOW_RAYS, or what culling left of them, with one instance, and marks the light
-// samples that it occludes. shade_shadow adds the light of the others.
+// Intersects the shadow rays of LIST_SHADOW_RAYS, or of a culled list, with one instance, and marks the light samples
+// that the instance occludes. shade_shadow adds the light of the other samples.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "shaders/shade/direct_light.glsl"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Intersects the megakernel's shadow rays, which are stored with their contributions, with one instance. The last
-// instance accumulates the contributions of unoccluded rays; for culled lists accumulate_shadow does.
+// Intersects the megakernel's shadow rays, which are stored with their contributions, with one instance. At the last
+// instance, accumulates the contributions of unoccluded rays; for culled lists, accumulate_shadow accumulates them.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "shaders/shade/film.glsl"

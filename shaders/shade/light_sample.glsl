@@ -8,7 +8,7 @@
 
 // Distance to the sun and the sky.
 const float kLightAfar = 1e30;
-// Upper limit of densities, whose square is still finite: a quad seen edge-on has no solid angle.
+// Upper limit of densities, since a quad seen edge-on has no solid angle. Its square is still finite.
 const float kHighestPdf = 1e15;
 
 struct LightSample {
@@ -19,7 +19,7 @@ struct LightSample {
 };
 
 // Angle of (x, y) for y >= 0, 0 to pi, with an error of 3e-7. Vulkan allows atan an error of 4096 units in the last
-// place, which is too much for solid angles, as these are differences of angles. Polynomial: Cephes, atanf.
+// place, too much for solid angles, which are differences of angles. Polynomial: Cephes, atanf.
 float arcOf(float x, float y) {
     float width = abs(x);
     // rotated so that the quotient is at most tan(pi / 8)
@@ -31,7 +31,7 @@ float arcOf(float x, float y) {
     return x < 0.0 ? kPi - arc : arc;
 }
 
-// Direction at an angle of cosine 1 - from_axis to the axis, and at azimuth 2 pi u around it.
+// Direction whose angle to the axis has the cosine 1 - from_axis, at azimuth 2 pi u around the axis.
 vec3 coneDirection(vec3 axis, float from_axis, float u) {
     float sine = sqrt(max(from_axis * (2.0 - from_axis), 0.0)), azimuth = 2.0 * kPi * u;
     return normalize(frameAround(axis) * vec3(sine * cos(azimuth), sine * sin(azimuth), 1.0 - from_axis));

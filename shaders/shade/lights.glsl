@@ -19,7 +19,7 @@
 #include "shaders/shade/spot_light.glsl"
 #include "shaders/shade/sun_light.glsl"
 
-// A program may define which kinds it supports.
+// A program may define which kinds of light it supports.
 #ifndef mayHaveLight
 #define mayHaveLight(kind) true
 #endif
@@ -36,8 +36,8 @@ LightSample sampleLight(Light light, vec3 point, vec2 u) {
     return LightSample(vec3(0.0, 0.0, 1.0), kLightAfar, vec3(0.0), 0.0);
 }
 
-// Density of sampleLight for a direction that hits the light's shape or the sun's disc; 0 for delta lights. Does not
-// test whether the direction hits.
+// Density of sampleLight for a direction that must hit the light's shape or the sun's disc, which is not tested; 0 for
+// delta lights.
 float lightPdf(Light light, vec3 point, vec3 direction) {
     uint kind = lightKind(light);
 #define PDF(number, name, surface) \
@@ -57,7 +57,7 @@ vec3 lightRadiance(Light light) {
     return vec3(0.0);
 }
 
-// u of previews, in place of random numbers.
+// u for previews, in place of random numbers.
 vec2 lightMiddle(uint kind) {
     vec2 middle = vec2(0.0, 0.5);
 #define MIDDLE(number, name, surface) middle = mayHaveLight(number) && kind == number ? kMiddle##name : middle;
@@ -73,7 +73,7 @@ bool isHitByBsdfSamples(uint kind) {
 #undef FOUND
 }
 
-// Whether it is an area light, which is a shape too.
+// Whether lights of this kind are area lights, which are shapes too.
 bool hasSurface(uint kind) {
 #define SURFACE(number, name, surface) || (surface && mayHaveLight(number) && kind == number)
     return false LIGHT_KINDS(SURFACE);

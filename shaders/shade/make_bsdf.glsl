@@ -5,7 +5,7 @@
 #include "shaders/lib/bindings.glsl"
 #include "shaders/shade/material.glsl"
 
-// phong and whitted.
+// True for the integrators phong and whitted.
 bool isClassic() { return !integratorHas(kIntegrator, INTEGRATOR_IS_STOCHASTIC); }
 
 // Mask of the material kinds with MATERIAL_SHOWS_DIRECTION.
@@ -13,8 +13,8 @@ bool isClassic() { return !integratorHas(kIntegrator, INTEGRATOR_IS_STOCHASTIC);
     | (((traits) & MATERIAL_SHOWS_DIRECTION) != 0u ? 1u << number : 0u)
 const uint kShowDirection = 0u MATERIALS(SHOWS_DIRECTION);
 
-// Whether the surface receives caustics from the photon map. Photons record irradiance but no direction, on which the
-// look of metals depends. So stochastic integrators leave caustics on metals to rays that hit lights.
+// Whether the surface receives caustics from the photon map. Photons record no direction of light, on which the look of
+// metals depends. So stochastic integrators leave caustics on metals to rays that hit lights.
 bool gathersPhotons(Material row) { return isClassic() || (kShowDirection >> materialKind(row) & 1u) == 0u; }
 
 // cosine: between normal and view direction.

@@ -12,16 +12,16 @@
 
 #include "shaders/shared/scene_layout.h"
 
-// A program may define which kinds it supports,
+// A program may define which kinds of material it supports,
 #ifndef mayHaveMaterial
 #define mayHaveMaterial(kind) true
 #endif
-// that none has a glossy lobe, which saves table lookups,
+// that no material has a glossy lobe, which saves table lookups,
 #ifndef mayBeRough
 #define mayBeRough true
 #endif
 
-// and that none has a Phong highlight.
+// and that no material has a Phong highlight.
 #ifndef mayHaveHighlight
 #define mayHaveHighlight true
 #endif
@@ -41,13 +41,13 @@ struct Bsdf {
     float eta;            // glass: index of refraction on the side of wo over the one behind the surface
     bool thin;
     float alpha;          // of the glossy lobe
-    float table_row;      // its row in the GGX table
+    float table_row;      // row of the glossy lobe in the GGX table
     vec3 facing;          // its Fresnel term at normal incidence
-    float grazing;        // and at grazing angles: 1, or 0 without such a lobe
+    float grazing;        // and at grazing angles: 1, or 0 without a glossy lobe
     vec3 glossy_albedo;   // directional albedo of the glossy lobe
     vec3 matte_albedo;    // and of the matte lobe below it
     vec3 coat;            // the glossy lobe transmits dot(coat, (1 - grazing, lost, 1)), with values of the GGX table
-    float coat_mean;      // cosine-weighted mean of that over all directions
+    float coat_mean;      // cosine-weighted mean of this transmittance over all directions
     float glossy_chance;  // probabilities of the lobes in sampleBsdf
     float matte_chance;
     float mirrored;       // share of the glossy lobe that phong and whitted treat as a mirror
@@ -77,7 +77,7 @@ vec3 metalUnderside(vec3 facing, float lost) {
     return mean * mean * (1.0 - lost) / (1.0 - mean * lost);
 }
 
-// Lobe coefficients of a kind of material for wo; initialized to no reflection.
+// Lobe coefficients of a material for one view direction; initialized to no reflection.
 struct Lobes {
     float reflect_chance; // as in Bsdf, down to coat
     float refract_chance;
@@ -125,9 +125,9 @@ void setMirror(inout Lobes lobes, Material material, Seen seen) {
     lobes.reflect_tint = seen.albedo;
 }
 
-// Glass reflects by Fresnel and transmits the rest, tinted by its albedo. Radiance scales with the square of the index
-// on entering and back on leaving. With camera and lights outside the two factors cancel, so both are omitted, also for
-// paths that end or start in glass; photons are weighted consistently (photon.comp.glsl).
+// Glass reflects according to Fresnel and transmits the rest, tinted by its albedo. Radiance scales with the square of
+// the index on entering, and back on leaving. With camera and lights outside, the two factors cancel, so both are
+// omitted, even for paths that end or start in glass; photons are weighted consistently (photon.comp.glsl).
 void setGlass(inout Lobes lobes, Material material, Seen seen) {
     float behind, side = dielectricReflectance(seen.cosine, seen.eta, behind);
     lobes.reflect_chance = seen.thin ? paneReflectance(side) : side;
@@ -171,7 +171,7 @@ Bsdf materialBsdf(Material material, vec3 albedo, bool back, float cosine) {
     s.coat_mean = coatLeaves(s.coat, mean);
     s.glossy_albedo = s.facing * (1.0 - seen.x - seen.y) + s.grazing * seen.y;
     s.matte_albedo = lobes.below * coatLeaves(s.coat, seen);
-    // share of the smooth lobes
+    // share of light left to the smooth lobes
     float share = 1.0 - s.reflect_chance - s.refract_chance;
     float glossy = largest(s.glossy_albedo), matte = largest(s.matte_albedo);
     s.glossy_chance = share * glossy / max(glossy + matte, 1e-9);
@@ -187,8 +187,8 @@ bool hasSmoothLobe(Bsdf s) { return s.glossy_chance + s.matte_chance > 0.0; }
 // Whether next event estimation cannot sample this direction.
 bool isDelta(Scattering scattering) { return scattering.pdf == 0.0; }
 
-// The two smooth lobes for a pair of directions, both times dot(n, wi), and the density of wi in sampleBsdf. All 0 for
-// directions below the surface.
+// The two smooth lobes for a pair of directions, each times dot(n, wi), and the density with which sampleBsdf draws wi.
+// All 0 for directions below the surface.
 void smoothLobes(Bsdf s, vec3 n, vec3 wo, vec3 wi, out vec3 glossy, out vec3 matte, out float pdf) {
     float cosine_i = dot(n, wi);
     bool above = cosine_i > 0.0;
@@ -216,8 +216,8 @@ vec3 evaluateBsdf(Bsdf s, vec3 n, vec3 wo, vec3 wi) {
     return glossy + matte;
 }
 
-// Density over solid angle of wi in sampleBsdf, delta lobes excluded. Its integral is less than 1 if there are delta
-// lobes or samples below the surface.
+// Density over solid angle with which sampleBsdf draws wi, delta lobes excluded. Its integral is less than 1 if there
+// are delta lobes or samples below the surface.
 float bsdfPdf(Bsdf s, vec3 n, vec3 wo, vec3 wi) {
     vec3 glossy, matte;
     float pdf;
@@ -231,7 +231,7 @@ vec3 refractedThrough(Bsdf s, vec3 n, vec3 wo) {
     return s.thin ? -wo : refractedDirection(n, wo, cosine, s.eta, behind);
 }
 
-// Draws a direction from u in [0, 1): z chooses the lobe, xy the direction.
+// Draws a direction for u in [0, 1)^3: z chooses the lobe, xy the direction.
 Scattering sampleBsdf(Bsdf s, vec3 n, vec3 wo, vec3 u) {
     float delta_chance = s.reflect_chance + s.refract_chance;
     bool specular = u.z < delta_chance || !hasSmoothLobe(s);
@@ -249,8 +249,8 @@ Scattering sampleBsdf(Bsdf s, vec3 n, vec3 wo, vec3 u) {
                       refracts);
 }
 
-// For phong and whitted: the mirrored and the refracted ray. A share of (1 - roughness)^2 of glossy lobes is treated as
-// a mirror. The two weights and smoothAlbedo add up to 1 for a white surface.
+// For phong and whitted: the mirrored and the refracted ray. Of a glossy lobe, a share of (1 - roughness)^2 is treated
+// as a mirror. For a white surface, the two weights and smoothAlbedo add up to 1.
 SpecularPair specularPair(Bsdf s, vec3 n, vec3 wo) {
     return SpecularPair(reflect(-wo, n), s.reflect_chance * s.reflect_tint + s.mirrored * s.glossy_albedo,
                         refractedThrough(s, n, wo), s.refract_chance * s.albedo);
@@ -276,7 +276,7 @@ vec3 classicBsdf(Bsdf s, vec3 n, vec3 wo, vec3 wi, bool rays_hit_light) {
     return smooth_light;
 }
 
-// The mirror share (gloss.w) by which whitted shows a highlight as a reflection: the Fresnel term of common
+// The mirror share (gloss.w) with which whitted shows a highlight as a reflection: the Fresnel term of common
 // dielectrics, in full for highlights of weight 1/4 and more.
 float highlightMirrorShare(Material material, float cosine) {
     const float kCommonFacing = 0.04;

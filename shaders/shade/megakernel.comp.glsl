@@ -4,7 +4,7 @@
 // rays are queued for the programs that traverse instances. If paths continue and the integrator samples every light,
 // the points that need direct light are queued too. With kOneBounce every path leaves the loop after its first bounce.
 //
-// A path's light is accumulated in the same order whatever lanes share its subgroup, so pictures are reproducible to
+// A path's light is accumulated in the same order whichever lanes share its subgroup, so pictures are reproducible to
 // the bit.
 #version 460
 #extension GL_GOOGLE_include_directive : require
@@ -29,8 +29,8 @@ void advance(inout PathLoop loop, bool continues, PathState next_path, ShapeHit 
     loop.rays += loop.running ? 1u : 0u;
 }
 
-// The interaction at the loop's current hit. Only the first hit of the loop may be on splats: when a later ray may hit
-// an instance, its path leaves the loop.
+// The interaction at the loop's current hit. Only the first hit of the loop may be on splats: if a later ray may hit an
+// instance, the path leaves the loop.
 SurfaceInteraction interactionOf(PathLoop loop, SurfaceInteraction splats) {
     if (loop.hit.z == NO_INDEX) return noInteraction();
     if (loop.hit.w == OWNER_SHAPES) return shapeInteraction(loop.path, loop.hit);
@@ -66,10 +66,10 @@ void shadeBounce(inout PathLoop loop, SurfaceInteraction hit, uint index) {
 // loops of unknown length: gathering photons takes an iteration per photon, one or two thousand where they are dense.
 const uint kMostIterations = 32768u, kMostGathers = 16u;
 
-// Loop iterations per bounce: one per shape, for the next ray and the shadow ray together, and one for the bounce.
+// Loop iterations per bounce: one for each shape, which serves the next ray and the shadow ray, and one for the bounce.
 uint iterationsPerBounce() { return ofLane(params.shape_count) + 1u; }
 
-// Whether another iteration is worthwhile: if at most one lane in eight waits for instances.
+// Whether another iteration is worthwhile: true if at most one lane in eight waits for instances.
 bool continuesLoop(PathLoop loop, uint bounces) {
     uint waiting = subgroupBallotBitCount(subgroupBallot(loop.queued));
     bool may = bounces * iterationsPerBounce() < kMostIterations && (!kGathersPhotons || bounces < kMostGathers);

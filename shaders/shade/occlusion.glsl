@@ -15,8 +15,8 @@ bool isOccludedByInstance(ShadowRay ray) {
     return trace(in_cube).disc != NO_INDEX;
 }
 
-// Whether something occludes the ray that the program's loadRay loads by this entry. A ray with negative t_max hits
-// nothing.
+// Whether the instance or a tile occludes the ray that the program's loadRay loads for an entry. A ray with negative
+// t_max hits nothing.
 #ifdef POOLED
 bool isOccluded(uint entry) {
     ShadowRay ray = loadRay(entry);

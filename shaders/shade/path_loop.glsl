@@ -16,8 +16,8 @@ struct PathLoop {
     PixelSums sums;         // of the pixel in the film
     bool running;           // the path continues in this loop
     bool queued;            // the path continues in the next pass
-    bool ray_waits;         // queued: its ray must first be intersected with instances
-    uint shadows_wait;      // queued: so must its shadow rays, a bit for each light sample
+    bool ray_waits;         // the queued path's ray must first be intersected with instances
+    uint shadows_wait;      // and so must its shadow rays: a bit for each light sample
     ShadowRay shadow;       // with one light sample: the shadow ray that waits
     DirectLightQuery query; // with all lights: the point whose shadow rays wait
     uint rays, shadow_rays; // traced in this loop

@@ -10,7 +10,8 @@
 #include "shaders/shade/scattered_path.glsl"
 #include "shaders/lib/append.glsl"
 
-// Each photon is emitted to one target. Other targets in its way get their own photons, so it does not count for them.
+// Each photon is emitted towards one target. Other targets get photons of their own, so a photon that first hits
+// another target does not count.
 bool hitsTarget(PathState path, SurfaceInteraction point) {
     uint target = point.owner | (point.owner == OWNER_SHAPES ? point.primitive << PHOTON_SHAPE_SHIFT : 0u);
     return path.target == target;
@@ -39,7 +40,7 @@ void main() {
         float chance = 1.0 - bsdf.reflect_chance - bsdf.refract_chance;
         photons[index] = Photon(vec4(point.position, uintBitsToFloat(packSnorm4x8(vec4(normal, 0.0)))), vec4(flux / chance, 1.0));
     }
-    // radiance is transported without the factor eta^2 at boundaries (setGlass), so the flux takes it instead
+    // radiance is transported without the factor eta^2 at boundaries (setGlass), so it is applied to the flux instead
     float boundary = bsdf.thin ? 1.0 : bsdf.eta * bsdf.eta;
     NextRay ray = NextRay(refracts ? refractedThrough(bsdf, normal, view) : reflect(-view, normal),
                           flux * (refracts ? bsdf.albedo * boundary : bsdf.reflect_tint), 0.0);

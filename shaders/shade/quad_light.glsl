@@ -19,8 +19,8 @@ struct SeenQuad {
     float squared_distance; // to its centre
 };
 
-// Rectangles nearer than about five times their size are sampled by solid angle, farther ones by area: there the angles
-// would cancel, and the two methods differ little.
+// Rectangles nearer than five times their diagonal are sampled by solid angle. Farther ones are sampled by area, since
+// differences of their angles would cancel and the two methods differ little.
 const float kSolidAngleReach = 25.0;
 
 SeenQuad seeQuad(Light light, vec3 point) {
@@ -45,11 +45,12 @@ bool isNear(SeenQuad quad) {
     return quad.squared_distance < kSolidAngleReach * dot(size, size);
 }
 
-// Sine of the angle that a length subtends at a distance, for two lengths.
+// Sines of the angles that two lengths subtend at a distance.
 vec2 seenSine(vec2 len, float distance) { return len * inversesqrt(len * len + distance * distance); }
 
-// Signed solid angle between x = 0 and x of the strip y.x to y.y at depth: asin(s(x) s(y.y)) - asin(s(x) s(y.x)), where
-// s(l) is the sine of the angle that l subtends; computed as one angle whose sine and cosine do not cancel.
+// Signed solid angle of the rectangle from x = 0 to x and from y.x to y.y at depth: asin(s(x) s(y.y)) - asin(s(x)
+// s(y.x)), where s(l) is the sine of the angle that l subtends. Computed as one angle whose sine and cosine do not
+// cancel.
 float stripAngle(float x, vec2 y, float depth) {
     float squared = x * x + depth * depth;
     float lo = sqrt(squared + y.x * y.x), hi = sqrt(squared + y.y * y.y);
@@ -95,7 +96,7 @@ LightSample sampleQuad(Light light, vec3 point, vec2 u) {
     vec2 at = near ? solidAnglePoint(quad, ends, u) : mix(quad.lo, quad.hi, u);
     vec3 way = at.x * quad.x_axis + at.y * quad.y_axis + quad.depth * quad.z_axis;
     float squared = max(dot(way, way), 1e-30), distance = sqrt(squared);
-    // solid angle of the rectangle if all of it were at this distance and angle
+    // the rectangle's solid angle if all its points were at this distance and angle
     float seen_area = quad.area * quad.depth / (squared * distance);
     float solid_angle = near ? max(ends.y - ends.x, 0.0) : seen_area;
     float pdf = near ? nearQuadPdf(ends) : 1.0 / max(seen_area, 1.0 / kHighestPdf);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Gaussians as a shadow catcher: objects placed among them cast shadows on the captured light. Queries the direct light
-// at the points where rays have lost half of their light to Gaussians or, if Gaussians are lit, at the one that adds
-// most.
+// at the points where rays have lost half of their light to Gaussians or, if the scene lights Gaussians, at the
+// Gaussian that adds most.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "shaders/shade/direct_light.glsl"

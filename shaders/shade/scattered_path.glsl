@@ -7,9 +7,9 @@
 #include "shaders/trace/offset.glsl"
 #include "shaders/shade/shading.glsl"
 
-// The material at a hit with resolved sides. Scans of glass have holes and rims: a ray that meets the inner side of glass
-// without having entered it passes as through a pane, since its way through the glass is unknown. Shapes are closed, so
-// such a ray started inside.
+// The material at a hit with resolved sides. Scans of glass have holes and rims: a ray that meets the inner side of
+// glass without having entered passes as through a pane, since its distance in the glass is unknown. Shapes are closed,
+// so there such a ray must have started inside.
 Material interfaceMaterial(SurfaceInteraction point, PathState path) {
     Material row = loadMaterial(materialOf(point));
     bool entered = (path.bits & PATH_INSIDE) != 0u || point.owner == OWNER_SHAPES;
@@ -33,7 +33,7 @@ PathState scatteredPath(SurfaceInteraction point, PathState path, NextRay ray, u
     bool is_delta = ray.pdf == 0.0, diffused = is_delta ? (before & PATH_DIFFUSED) != 0u : gathersPhotons(row);
     bits |= diffused ? PATH_DIFFUSED : 0u;
     bits |= is_delta && diffused && (point.bits & SURFACE_CASTS) != 0u ? PATH_CAUSTIC : 0u;
-    // the stored orientation, since the ray may hit the other one of two close sheets
+    // the stored orientation, since of two close sheets the ray may hit the other one
     vec3 stored_normal = isBack(point) ? -point.normal : point.normal;
     return PathState(origin, self_t, ray.direction, ray.pdf, ray.weight, 0u, stored_normal, bits);
 }

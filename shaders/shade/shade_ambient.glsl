@@ -5,7 +5,7 @@
 #include "shaders/shade/sky.glsl"
 #include "shaders/trace/surface_interaction.glsl"
 
-// Brightness of a surface seen from its edge, relative to one that faces the eye.
+// Brightness of a surface seen edge-on, relative to one that faces the eye.
 const float kEdgeBrightness = 0.55;
 
 Shading shadeAmbient(PathState path, SurfaceInteraction point, Material row, Bsdf bsdf, uint pixel) {

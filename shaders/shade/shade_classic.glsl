@@ -5,10 +5,11 @@
 #define POINTRT_SHADERS_SHADE_CLASSIC_GLSL
 #include "shaders/lib/sampler.glsl"
 
-// Russian roulette: rays weaker than this, half an 8-bit step, survive with proportional probability and this weight.
+// Russian roulette: rays weaker than this, half an 8-bit step, survive with a probability proportional to their weight,
+// and then get this weight.
 const float kMinWeight = 1.0 / 512.0;
 
-// The next ray. After the last bounce the ambient light of the sky replaces it.
+// The next ray. After the last bounce, the sky's ambient light replaces the ray.
 NextRay lastOrNext(vec3 direction, vec3 weight, bool last, float u, inout vec3 radiance) {
     if (last) radiance += weight * ambientLight(direction);
     float chance = min(largest(weight) / kMinWeight, 1.0);

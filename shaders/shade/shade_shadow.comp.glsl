@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Accumulates direct light: the light samples of the points of LIST_DIRECT_LIGHT whose shadow rays nothing occluded.
+// Accumulates direct light: the unoccluded light samples of the points of LIST_DIRECT_LIGHT.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "shaders/shade/direct_light.glsl"

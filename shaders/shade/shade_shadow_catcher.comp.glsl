@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// Multiplies the light of Gaussians by the ratio of the irradiance with and without the objects that shadow them, at
-// the points of LIST_DIRECT_LIGHT (Debevec, Rendering Synthetic Objects into Real Scenes, 1998: differential
-// rendering). The light of lit Gaussians is their albedo, so it is multiplied by the scene's light that a matte surface
-// there reflects.
+// Multiplies the light of Gaussians, at the points of LIST_DIRECT_LIGHT, by the ratio of the irradiance with the
+// objects that shadow the Gaussians to the irradiance without them (Debevec, Rendering Synthetic Objects into Real
+// Scenes, 1998: differential rendering). The light of lit Gaussians is their albedo, which is multiplied by the light
+// that a white matte surface there reflects.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "shaders/shade/direct_light.glsl"
@@ -11,7 +11,7 @@ vec3 irradianceOf(DirectLightQuery query, LightSample to) {
     return max(dot(query.normal, to.direction), 0.0) * to.radiance_over_pdf;
 }
 
-// A sample of each light, if only one of them is tested for occlusion.
+// The irradiance by a sample of each light except the one that is tested for occlusion.
 vec3 irradianceUnshadowed(DirectLightQuery query, uint path, uint tested) {
     vec3 sum = vec3(0.0);
     for (uint number = 0u; number < params.light_count; number++) {
@@ -37,7 +37,7 @@ vec3 reflectedByWhite(DirectLightQuery query, uint path) {
     return irradiance / kPi + ambientLight(query.normal);
 }
 
-// The ratio of the irradiance with and without the objects among the Gaussians.
+// The irradiance with the objects among the Gaussians, divided by the irradiance without them.
 vec3 shadowRatio(DirectLightQuery query, uint path) {
     uint samples = lightSampleCount(), mask = light_masks[path];
     vec3 lit = kPi * skyColor(query.normal), hidden = vec3(0.0); // the sky as seen along the normal
@@ -49,7 +49,7 @@ vec3 shadowRatio(DirectLightQuery query, uint path) {
         hidden += (mask >> number & 1u) != 0u ? irradiance / lightChance() : vec3(0.0);
     }
     if (kSamplesOneLight) lit += irradianceUnshadowed(query, path, lightOfSample(0u, path, query.bounce));
-    // with one light sampled of many, more may be hidden than is lit in a sample: only their means are right
+    // if only one of many lights is sampled, hidden may exceed lit in a single sample: only their means are right
     return 1.0 - hidden / max(lit, vec3(1e-20));
 }
 

@@ -5,8 +5,8 @@
 #include "shaders/shade/direct_light.glsl"
 #include "shaders/trace/shape_hit.glsl"
 
-// Whether the first shape on the way to a light occludes it. An area light does not occlude itself: its distances as a
-// light and as a shape differ by rounding.
+// Whether the first shape on the way to a light occludes the light. An area light is not occluded by its own shape,
+// although the distances of light and shape differ by rounding.
 bool occludes(ShapeHit hit, LightRay ray) {
     return hit.shape != shapeOfLight(ray.light) && hit.t < ray.to.distance * kBeforeLight;
 }

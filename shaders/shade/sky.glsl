@@ -15,7 +15,7 @@ vec3 skyColor(vec3 direction) {
     return mix(params.sky_horizon, height > 0.0 ? params.sky_zenith : params.sky_ground, sqrt(abs(height)));
 }
 
-// Unshadowed ambient light of phong and whitted, a share of the sky's light, which replaces interreflection.
+// Unshadowed ambient light of phong and whitted: a share of the sky's light, in place of interreflection.
 vec3 ambientLight(vec3 normal) { return skyColor(normal) * params.ambient_share; }
 
 // Radiance of suns in this direction, for escaped rays of mirrors and glass; other surfaces sample suns as lights.

@@ -7,8 +7,9 @@
 const vec2 kMiddleSphere = vec2(0.0, 0.5);
 const bool kBsdfSamplesHitSphere = true;
 
-// 1 minus the cosine of the half angle of the cone that a sphere subtends; from inside, the cone of all directions.
-// Pharr, Jakob and Humphreys, Physically Based Rendering, 6.2.4, in a form without cancellation at a distance.
+// 1 minus the cosine of the half angle of the cone that a sphere subtends; inside the sphere, the cone of all
+// directions. Pharr, Jakob and Humphreys, Physically Based Rendering, 6.2.4, in a form without cancellation at a
+// distance.
 float sphereCap(float squared_distance, float radius) {
     float squared_sine = radius * radius / max(squared_distance, 1e-30);
     return squared_sine < 1.0 ? squared_sine / (1.0 + sqrt(1.0 - squared_sine)) : 2.0;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// How the integrators normal and depth show a surface, and which shading function each integrator calls.
+// The colours with which the integrators normal and depth show a surface, and the shading function of each integrator.
 #ifndef POINTRT_SHADERS_SURFACE_VIEW_GLSL
 #define POINTRT_SHADERS_SURFACE_VIEW_GLSL
 #include "shaders/lib/bindings.glsl"

@@ -30,7 +30,7 @@ enum class Binding : std::uint32_t {};
 #define BINDING_SLABS POINTRT_BINDING(21)
 #define BINDING_INSTANCE POINTRT_BINDING(22)
 #define BINDING_NOISE POINTRT_BINDING(54)
-// The same buffers as storage buffers, which programs for GPUs read (SPEC_READS_STORAGE).
+// The same buffers bound as storage buffers, for programs on GPUs (SPEC_READS_STORAGE).
 #define BINDING_BRICK_STORED POINTRT_BINDING(66)
 #define BINDING_LISTED_STORED POINTRT_BINDING(67)
 #define BINDING_SPLAT_STORED POINTRT_BINDING(68)

@@ -33,7 +33,7 @@ struct CastHit {
 // Range of squared lengths (of directions, and of distances of origins in world units) that float arithmetic handles.
 #define GIVEN_LEAST 1e-30f
 #define GIVEN_MOST 1e30f
-// Factor for the float distance to the scene that keeps it from being too large: 1 less a few times 2^-24.
+// Factor that keeps the float distance to the scene from being too large: 1 minus a few times 2^-24.
 #define GIVEN_SHORT 0.999999f
 
 // Transform between the caller's rays and rays in an instance's cube.
@@ -47,7 +47,7 @@ struct GivenPush {
     float units;  // cube edges per world unit
     float radius; // of the sphere around the cube, world units
     uint rays;
-    uint first_texel; // of the first ray; float rays: an even one, as two rays take three texels
+    uint first_texel; // of the first ray; for float rays, that ray has an even number, as two rays take three texels
 };
 
 struct CastPush {

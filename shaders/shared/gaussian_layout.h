@@ -30,11 +30,11 @@ struct GaussianNode {
 // Texels per Gaussian by degree: 0, 1, 2, 4.
 #define HARMONIC_TEXELS(degree) ((degree) == 3u ? 4u : (degree))
 
-// Opacity along a ray below which a Gaussian does not count, and the largest opacity that it may have, as defined by
-// Kerbl et al., 3D Gaussian Splatting for Real-Time Radiance Field Rendering, 2023.
+// Largest opacity of a Gaussian along a ray, as in Kerbl et al., 3D Gaussian Splatting for Real-Time Radiance Field
+// Rendering, 2023.
 #define GAUSSIAN_ALPHA_MAX 0.99f
 
-// A ray ends if less light than this passes, as in Kerbl et al.
+// A ray ends when its transmittance falls below this, as in Kerbl et al.
 #define GAUSSIAN_TRANSMITTANCE_MIN 1e-4f
 
 #ifdef __cplusplus

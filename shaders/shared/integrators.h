@@ -43,7 +43,8 @@
       INTEGRATOR_IS_STOCHASTIC | INTEGRATOR_IS_AMBIENT)
 // clang-format on
 
-// The traits of all integrators packed into one constant, so that a shader's are known at compile time.
+// The traits of all integrators packed into one constant, so that a shader knows those of its integrator at compile
+// time.
 #define INTEGRATOR_BITS 5u
 #define INTEGRATOR_TRAITS_OF_ROW(number, Name, word, label, SHADING, traits) | ((traits) << (INTEGRATOR_BITS * number))
 #define INTEGRATOR_TRAITS (0u INTEGRATORS(INTEGRATOR_TRAITS_OF_ROW))

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // The kinds of light and their row on the device. Valid in C++ and GLSL.
 //
-// To add a kind, add its number, its line in LIGHT_KINDS and its fields here. The compiler then demands its alternative
-// of LightDescription (runtime/scene/light.h) and its functions (shaders/shade/lights.glsl).
+// To add a kind, add its number, its line in LIGHT_KINDS and its fields here. The compiler then demands an alternative
+// of LightDescription (runtime/scene/light.h) and the functions of shaders/shade/lights.glsl.
 #ifndef POINTRT_SHADERS_LIGHT_LAYOUT_H
 #define POINTRT_SHADERS_LIGHT_LAYOUT_H
 
@@ -22,7 +22,7 @@ namespace pointrt::gpu {
 #define LIGHT_DISC 5 // two-sided
 
 // clang-format off
-// row(number, name, whether it has a surface; if so it is a shape too)
+// row(number, name, whether the light has a surface and so is a shape, too)
 #define LIGHT_KINDS(row) \
     row(LIGHT_POINT, Point, false) \
     row(LIGHT_SPOT, Spot, false) \

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Mean and spread of the luminance of a pixel's samples, one sample at a time (Welford, "Note on a method for
-// calculating corrected sums of squares and products", Technometrics 1962): in floats, the difference of a sum of
-// squares and a squared mean would cancel. Valid in C++ and GLSL.
+// calculating corrected sums of squares and products", Technometrics 1962). In floats, subtracting a squared mean from
+// a mean of squares would cancel. Valid in C++ and GLSL.
 #ifndef POINTRT_SHADERS_LUMINANCE_MOMENTS_H
 #define POINTRT_SHADERS_LUMINANCE_MOMENTS_H
 

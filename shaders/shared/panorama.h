@@ -3,8 +3,8 @@
 #ifndef POINTRT_SHADERS_PANORAMA_H
 #define POINTRT_SHADERS_PANORAMA_H
 
-// Eyes are the full distance apart up to a latitude of 60 degrees, whose cosine this is. Beyond it they approach each
-// other: at the poles, every longitude looks in the same direction but from another place, so the picture would swirl
+// Cosine of 60 degrees: the eyes are the full distance apart up to this latitude, and approach each other beyond. At
+// the poles, all longitudes look in the same direction; from different positions, they would make the picture swirl
 // there.
 #define PANORAMA_FULL_STEREO_COSINE 0.5f
 

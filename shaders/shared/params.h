@@ -11,7 +11,7 @@
 namespace pointrt::gpu {
 #endif
 
-// Lanes of a workgroup. On lavapipe large groups are a quarter faster than 64; every GPU allows 128.
+// Lanes of a workgroup. On lavapipe, groups this large are a quarter faster than groups of 64; every GPU allows 128.
 #define WORKGROUP_SIZE 128
 
 // Square tile of pixels whose camera rays share a beam.
@@ -89,7 +89,7 @@ struct FrameParams {
 #define LIST_DIRECT_LIGHT 0u  // paths with a DirectLightQuery (wavefront), or with a ShadowRay (megakernel)
 #define LIST_INSTANCE_RAYS 1u // paths whose ray may hit instances: intersect_closest
 #define LIST_SHADOW_RAYS 2u   // shadow rays that instances may occlude: intersect_shadow
-// the first of the culled lists, one per instance of a cull group: the entries of a list above that culling left
+// the first of the culled lists, one per instance of a cull group: what culling left of one of the lists above
 #define LIST_CULLED 3u
 // Instances that one culling pass tests a ray against: bits of a cull mask.
 #define CULL_INSTANCES 32u
@@ -129,21 +129,21 @@ struct GaussianLight {
     // xyz: the normal of the Gaussian behind which less than half passes; w: its t in render space; kWalkEnded if more
     // passes
     vec4 middle;
-    // If the scene lights Gaussians: until all are composited, last.z is the most that one Gaussian adds, last.w its
-    // radius, and middle.xyz the sum of normals. Then last.yzw is the albedo, and middle.xyz the normal with the length
-    // of the radius.
+    // If the scene lights Gaussians: until all are composited, last.z is the most that one Gaussian adds, last.w that
+    // Gaussian's radius, and middle.xyz the sum of normals. After that, last.yzw is the albedo, and middle.xyz the
+    // normal scaled to the length of the radius.
 };
 
 // A Gaussian that waits to be composited in the order of all instances.
 struct WaitingGaussian {
     float t; // of its peak, render units
     uint gaussian;
-    uint instance;     // its place among the scene's instances; above it, if lit, its radiusOf as a half float
-    uint red_green;    // half floats; for first hits owner and tile
-    uint blue_opacity; // a half float, above it the opacity along the ray; for first hits material and opacity
+    uint instance;     // its place among the scene's instances; in the high bits, if lit, its radiusOf as a half float
+    uint red_green;    // half floats; for first hits, owner and tile
+    uint blue_opacity; // a half float, high bits: the opacity along the ray; for first hits, material and opacity
     uint normal;       // normalWord in render space
 };
-// The largest number of Gaussians of a ray that wait: with it, the buffer for 2^19 paths fits in 128 MiB.
+// Maximum number of waiting Gaussians of a ray, so that the buffer for 2^19 paths fits in 128 MiB.
 #define WAITING_GAUSSIANS 10u
 // Per path: the first Gaussians behind those that have been composited.
 struct WaitingGaussians {
@@ -154,8 +154,8 @@ struct WaitingGaussians {
     WaitingGaussian each[WAITING_GAUSSIANS];
 };
 
-// The boxes of a cull group, which rays are tested against before they are intersected with the instances inside.
-// Coordinates are quantized to steps so that a box takes two words: on lavapipe loads dominate the cost of culling.
+// The boxes of a cull group: rays are tested against a box before they are intersected with the instance inside.
+// Coordinates are quantized to steps so that a box takes two words: on lavapipe, loads dominate the cost of culling.
 struct CullBoxes {
     vec4 row_x; // render space to steps along the axes of the boxes: a similarity; w: translation
     vec4 row_y;
@@ -169,8 +169,8 @@ struct CullBoxes {
 // Bound of the rounding error, relative to the largest coordinate of a ray origin or a box: a few times 2^-24 each for
 // the transforms into the frame of the boxes and into that of a tile, and for the products there.
 #define CULL_ROUNDING 2e-6f
-// Capacity of the culled lists of a group, entries per lane: two instances for each of the most shadow rays a path may
-// have. An instance whose list does not fit is intersected with all rays.
+// Capacity of the culled lists of a group, in entries per lane: two instances for each of the SHADOW_RAYS_PER_PATH
+// shadow rays of a path. An instance whose list does not fit is intersected with all rays.
 #define CULLED_ENTRIES 16u
 
 // The state of a path between two dispatches.
@@ -180,7 +180,7 @@ struct PathState {
     vec3 direction;
     float pdf; // of the direction, over solid angle; 0: a delta distribution (mirrors, glass, camera)
     vec3 throughput;
-    uint target;      // photons from a light: the owner that they are aimed at; for a shape, its number above the owner
+    uint target;      // photons from a light: the owner they are aimed at; for a shape, its number in the high bits
     vec3 self_normal; // normal of the surface that the ray left
     uint bits;        // PATH_*
 };
@@ -188,7 +188,7 @@ struct PathState {
 #define PATH_BOUNCE_MASK 0xFFu
 #define PATH_DEFERRED_SHIFT 8u // number of deferred rays of the pixel, 0 to MAX_DEFERRED
 #define PATH_DEFERRED_MASK 0xFu
-// its last scattering other than at mirrors and glass was on a surface that gathers photons
+// the path last scattered, other than at mirrors and glass, on a surface that gathers photons
 #define PATH_DIFFUSED 0x1000u
 #define PATH_INSIDE 0x2000u  // has entered glass of a scan and not left it
 #define PATH_CAUSTIC 0x4000u // emission that it hits is already in the photon map
@@ -199,7 +199,7 @@ struct PathState {
 // Largest number of deferred rays of a pixel: the second rays of reflection and refraction pairs, traced later.
 #define MAX_DEFERRED 2u
 
-// Data that surface stores of a hit on splats, in addition to the words of hit_texels
+// Data that the program surface stores for a hit on splats, in addition to the words of hit_texels
 // (shaders/trace/surface_interaction.glsl).
 struct StoredSurface {
     vec3 normal; // facing the viewer
@@ -231,30 +231,31 @@ struct DirectLightQuery {
 };
 #define LIGHT_QUERY_VECTORS 5
 
-// A shadow ray of the megakernel that instances may occlude, with its contribution if they do not.
+// A shadow ray of the megakernel that instances may occlude, with its contribution if nothing occludes it.
 struct ShadowRay {
     vec3 origin;
     float self_t; // self-intersection distance, as in PathState
     vec3 direction;
     float t_max; // just short of the light; negative: occluded
     vec3 self_normal;
-    uint owner;       // owner of the surface it left
+    uint owner;       // owner of the surface that the ray left
     vec3 light;       // contribution to the pixel
     uint scatterings; // number of scatterings of that light on its way to the eye
 };
 #define SHADOW_RAY_VECTORS 4
 
 // Layers of the film, one vector per pixel each: sums over the samples of the current batch. Films of more samples than
-// a batch have the same layers again, from FILM_LAYERS on: sums over the earlier batches, defined once there is one.
+// a batch have a second set of layers, from FILM_LAYERS on: sums over the earlier batches, defined once there is an
+// earlier batch.
 #define LAYER_DIRECT 0u   // light scattered at most once; w: coverage by the scene
 #define LAYER_INDIRECT 1u // w: luminance of the current sample; 0 in earlier batches
-// w: part of the sum of squared deviations of the luminance from its mean (luminance_moments.h): added by the batch's
-// samples before the current one, or by the earlier batches
+// w: part of the sum of squared deviations of the luminance from its mean (luminance_moments.h), due to the samples of
+// the batch before the current one, or to the earlier batches
 #define LAYER_CAUSTIC 2u
 #define LAYER_ALBEDO 3u // w: mean luminance of all samples before the current one; 0 in earlier batches
 #define FILM_LAYERS 4u
-// Samples of a batch, the square root of kMaxSpp: a sum of 256 like terms keeps 16 of the 24 bits of each, and so does
-// a sum of 256 batches. A sum of all 65,536 samples would keep 8 bits, which is up to 0.2% off.
+// Samples of a batch, the square root of kMaxSpp: a sum of 256 similar terms keeps 16 of the 24 bits of each, and so
+// does a sum of 256 batches. A single sum of 65,536 samples would keep 8 bits, an error of up to 0.2%.
 #define FILM_BATCH 256u
 
 // first_hits, per pixel: normal and t (negative: a miss); as bits, splat or shape, owner with the tile above it
@@ -287,13 +288,13 @@ struct PushParams {
 // megakernel with one bounce: some paths have scattered only once, so their light may be direct
 #define STEP_DIRECT 32768u
 
-// hit_texels for pooled tiles, until surface has read them: above the owner, the tile's place among those of its
-// program.
+// hit_texels for pooled tiles, until the program surface has read them: above the owner, the tile's place among the
+// tiles of its program.
 #define HIT_PLACE_SHIFT 8u
 
-// An entry of LIST_SHADOW_RAYS: the path, and above it the index of its light sample.
+// An entry of LIST_SHADOW_RAYS: the path, and in the bits above it the number of its light sample.
 #define SHADOW_RAY_LIGHT_SHIFT 27u
-// Capacity of that list, shadow rays per path. More light samples take several passes.
+// Capacity of LIST_SHADOW_RAYS, in shadow rays per path. More light samples take several passes.
 #define SHADOW_RAYS_PER_PATH 8u
 
 #ifdef __cplusplus

@@ -12,7 +12,7 @@ namespace pointrt::gpu {
 // Two texels of the map. The buffer that photons are traced into has one Photon per path.
 struct Photon {
     vec4 position; // render units; w: as bits, the surface's unit normal in three signed bytes
-    vec4 flux;     // w: in the buffer, 1 if the path stored a photon; in the map, its level
+    vec4 flux;     // w: in the buffer, 1 if the path stored a photon; in the map, the photon's level
 };
 #define PHOTON_VECTORS 2
 
@@ -21,11 +21,11 @@ struct Photon {
 // are as wide as its discs. Each cell that a disc overlaps (8 at most) lists the photon, so the cell that holds a point
 // lists all photons whose discs reach it. A hash maps cells to buckets, of which there are enough that two cells with
 // photons rarely share one. The words of the buckets: the start of each bucket's list and the end of the last
-// (PHOTON_BUCKETS + 1 words), then the lists of photon indices, none twice in a bucket.
+// (PHOTON_BUCKETS + 1 words), then the lists of photon indices, in which no index occurs twice.
 #define PHOTON_BUCKETS 1048576u
 #define PHOTON_LEVELS 6
 #define PHOTON_LEVEL_RATIO 1.7f
-// A disc lights points within its radius and within this share of the radius from its plane.
+// A disc lights points within its radius whose distance from its plane is at most this share of the radius.
 #define PHOTON_REACH 0.5f
 
 // Teschner et al., Optimized Spatial Hashing for Collision Detection of Deformable Objects (2003); the last number
@@ -36,7 +36,7 @@ struct Photon {
 #define PHOTON_HASH_LEVEL 2654435761u
 
 struct PhotonLevel {
-    vec4 low;  // corners of the box around its discs, low above high if it has none; w: cells per render unit
+    vec4 low;  // corners of the box around the level's discs, low above high without discs; w: cells per render unit
     vec4 high; // w: radius
 };
 

@@ -22,7 +22,7 @@ namespace pointrt::gpu {
 #define POINT_MAX_SAMPLES 7u
 #define POINT_FRAME_MASK 0xFFFFu
 
-// Each frame considers one row of pixels in this many, which takes a quarter of the time; and the number of considered
+// Each frame considers one row of pixels in ROW_PHASES, which takes a quarter of the time; and the number of considered
 // pixels in a tile.
 #define ROW_PHASES 4u
 #define CONSIDERED_OF_TILE 16u
@@ -65,7 +65,7 @@ struct ReprojectionControl {
     uint selected;
     uint gaps;         // empty pixels within a surface
     float probability; // that selects a pixel of priority 1
-    uint is_balanced;  // more rounds would not change it
+    uint is_balanced;  // more rounds would not change the probability
 };
 
 // Sums over the considered pixels in a row of tiles.

@@ -20,13 +20,13 @@ namespace pointrt::gpu {
 #define SHAPE_SPHERE 4 // x^2 + y^2 + z^2 = 1, likewise
 
 #define MAX_SHAPES 64
-// Scenes with at most this many shapes have the kinds compiled into their programs and the rows in the frame
-// parameters.
+// Scenes with at most this many shapes have the shapes' kinds compiled into their programs and the shapes' rows in the
+// frame parameters.
 #define HELD_SHAPES 6
 #define SHAPE_KIND_BITS 3u  // per shape in that constant, the first lowest, above the count:
 #define SHAPE_COUNT_BITS 4u // 1 + number of shapes; 0: the scene has more
 
-// An analytic surface, the unit form of its kind transformed.
+// An analytic surface: the transformed unit form of its kind.
 struct Shape {
     vec4 row_x; // rows of local_from_render: xyz linear part, w translation
     vec4 row_y;
@@ -40,8 +40,8 @@ struct Shape {
 
 #define MAX_COLOR_RANGES 8
 
-// Half-spaces that the clips of a scene may have together: five boxes and two planes. Every instance has a copy of 512
-// bytes, which keeps the parameters of thousands of tiles within a few megabytes.
+// Maximum number of half-spaces of all clips of a scene together, as of five boxes and two planes. Every instance has a
+// copy of 512 bytes, so the parameters of thousands of tiles stay within a few megabytes.
 #define MAX_CLIP_PLANES 32
 
 // One .pro in the scene: the transform of its cube, its encoding and its materials. All tiles of a set share the number
@@ -64,8 +64,8 @@ struct InstanceParams {
     vec4 clip_planes[MAX_CLIP_PLANES];   // in the cube: points p with dot(xyz, p) >= w are kept; xyz: unit length
 };
 
-// A tile in a block of the device's texel pool; programs read all tiles of a block through one binding. Starts of its
-// sections in the block: in words, and in texels of four words.
+// A tile in a block of the device's texel pool, with the starts of its sections in the block, in words and in texels of
+// four words. Programs read all tiles of a block through one binding.
 struct PooledTile {
     InstanceParams instance;
     uvec4 words;  // grid, bricks, slabs, blending

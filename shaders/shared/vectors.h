@@ -24,7 +24,7 @@ struct uvec4 {
 };
 } // namespace pointrt::gpu
 
-/// Assert that type has this many rows of 16 bytes, and that member starts one.
+/// Assert that type has this many rows of 16 bytes, and that member starts a row.
 #define POINTRT_ROWS(type, rows) static_assert(sizeof(type) == 16 * (rows) && alignof(type) == 4)
 #define POINTRT_ROW(type, member) static_assert(offsetof(type, member) % 16 == 0)
 

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// Beam tracing: the distance that all camera rays of a tile of pixels can skip. One lane per tile marches a beam around
-// its rays through the entry grid: a cone, or a prism with parallel projection. Tiles whose beam leaves the grid are
-// done; the others are queued for intersect_camera. Each tile of a set in a block takes a lane per tile of pixels.
+// Beam tracing: the distance that all camera rays of a tile of pixels can skip. One lane per tile marches a beam, which
+// contains the tile's rays, through the entry grid: a cone, or a prism with parallel projection. Tiles whose beam
+// leaves the grid are done; the others are queued for intersect_camera. For tiles of a set in a block, there is a lane
+// for each of these and each tile of pixels.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_KHR_shader_subgroup_ballot : require
@@ -16,7 +17,7 @@ layout(local_size_x = WORKGROUP_SIZE) in;
 
 float least(vec3 v) { return min(v.x, min(v.y, v.z)); }
 
-// Half the edge, in cells, of the empty cube around an empty cell, the cell included: the least of its skips.
+// Half the edge, in cells, of the empty cube around an empty cell, the cell included: its smallest skip.
 float freeCells(uint word) {
     uvec4 low = uvec4(word, word >> 4, word >> 8, word >> 12) & PRO_SKIP_MASK;
     uvec4 high = uvec4(word >> 16, word >> 20, word >> 24, word >> 28) & PRO_SKIP_MASK;
@@ -24,8 +25,8 @@ float freeCells(uint word) {
     return skippedCells(min(min(both.x, both.y), min(both.z, both.w)), 0u);
 }
 
-// Lower bound of the Chebyshev distance, in grid units, from a point to all filled cells of a box. From outside the
-// box, filled cells are no nearer than the box, and no nearer than they are to the nearest point of the box.
+// Lower bound of the Chebyshev distance, in grid units, from a point to any filled cell of a box. From a point outside
+// the box, filled cells are at least as far as the box, and at least as far as from the nearest point of the box.
 float freeAround(vec3 point, Grid grid, vec3 lowest, vec3 highest) {
     float outside = largest(max(lowest - point, point - highest));
     point = clamp(point, lowest, highest);
@@ -38,7 +39,7 @@ float freeAround(vec3 point, Grid grid, vec3 lowest, vec3 highest) {
 
 // Shortest step worth its cost, in cells.
 const float kMinStep = 0.25;
-// Limit of steps, for beams that creep along a surface. The distance reached so far is safe.
+// Limit of steps, for beams that creep along a surface. The distance reached by then is safe.
 const int kMaxSteps = 96;
 
 // A bundle of rays around a centre ray, in cube units: origins within width of its origin, directions within spread of
@@ -58,7 +59,7 @@ Beam panoramaBeam(vec2 middle) {
     vec2 angles = panoramaAngles(middle), size = vec2(params.picture_width, params.picture_height);
     vec2 reach = 0.5 * TILE_SIDE * kPi * vec2(2.0, kIsStereo ? 2.0 : 1.0) / size;
     float cosine = abs(cos(angles.y)), spread = length(reach * vec2(sqrt(cosine * min(1.0, cosine + reach.y)), 1.0));
-    // eyes move along their circle, and towards its middle as the cosine changes
+    // the eyes move along their circle, and towards its middle as the cosine of the latitude changes
     float width = params.half_eye_distance * (reach.x + reach.y / PANORAMA_FULL_STEREO_COSINE);
     // the tile may have rows of both eyes
     float to_other_eye = abs(middle.y - 0.5 * size.y);
@@ -73,8 +74,8 @@ Beam tileBeam(vec2 corner) {
     CameraRay ray = rayThrough(middle);
     vec2 start = onPlane(middle, params.half_window);
     float width = distance(onPlane(corner, params.half_window), start) + kStartRounding * length(start);
-    // normalizing never moves apart two points that are at distance 1 or more: directions differ by no more than the
-    // points on the plane
+    // normalizing vectors of length 1 or more never moves them apart: directions differ by no more than the points on
+    // the plane
     float spread = distance(onPlane(corner, params.tan_half_fov), onPlane(middle, params.tan_half_fov));
     return Beam(CameraRay(cubePoint(ray.origin), cubeDirection(ray.direction)), width * cubeScale(), spread);
 }
@@ -104,8 +105,8 @@ float marchBeam(Beam beam) {
 
 // The distance that all rays of a tile of pixels travel without a hit.
 float freeDistance(uint tile) {
-    // around the whole tile of the picture, even if a band has only some of its rows: so distances do not depend on the
-    // bands
+    // the beam covers the picture's whole tile, even if the band has only some of its rows, so that distances do not
+    // depend on the bands
     float rows_above = float(params.first_row % TILE_SIDE);
     float safe = marchBeam(tileBeam(pixelCorner(tileCorner(tile)) - vec2(0.0, rows_above)));
     return hasStep(STEP_PIXEL_LIST) ? 0.0 : safe; // pixels of a list are not neighbours
@@ -126,7 +127,7 @@ void queueTile(bool queues_it, uint tile) {
 #ifdef POOLED
 #include "shaders/trace/pool_beam.glsl"
 
-// A mask with the tiles of pixels of this workgroup, which has at most one per lane.
+// The masks of this workgroup's tiles of pixels, at most one per lane.
 shared uint masks[WORKGROUP_SIZE];
 
 void main() {

@@ -10,8 +10,8 @@
 // slab (blend_slab radii to either side). A splat's weight at a point (format/base/blend_weight.h) is zero with zero
 // slope at the rim and at the faces of the slab, so the blended field is smooth. A cell lists every splat whose slab
 // overlaps it, so the field at a point can be evaluated from the cell that holds the point, and agrees on both sides of
-// a border. The surface is where the weighted mean of the heights vanishes (Adamson and Alexa, Approximating and
-// Intersecting Surfaces from Points, 2003); two Newton steps along the ray find it.
+// a border between cells. The surface is where the weighted mean of the heights vanishes (Adamson and Alexa,
+// Approximating and Intersecting Surfaces from Points, 2003); two Newton steps along the ray find it.
 
 // In cube units.
 struct BlendedSurface {
@@ -22,7 +22,7 @@ struct BlendedSurface {
     uint material;
     uint splat; // the splat hit
     bool back;  // seen from behind; false if the sides are not known
-    bool sided; // its sides are known: normals are oriented, or it is a ball
+    bool sided; // the sides are known: normals are oriented, or the splat is a ball
     float noise; // standard deviation of the surface around that splat; 0 in clean scans
 };
 
@@ -33,7 +33,7 @@ struct Field {
     vec3 normal;
     vec3 color;
     float radius;
-    float heaviest; // largest weight so far; and the material of that splat
+    float heaviest; // largest weight so far, and the material of the splat that has it
     uint material;
 };
 
@@ -67,7 +67,7 @@ vec2 blendWeights(vec2 cosine, vec2 flip, vec2 in_plane, vec2 in_slab, bvec2 val
 }
 
 // Adds two splats to the field, each if valid. In pairs because, on CPUs, the latency of the chain of operations for
-// one splat dominates; those for a second one fill the gaps.
+// one splat dominates; the operations for a second splat fill the gaps.
 void addToField(inout Field field, uvec4 first, uvec4 second, bvec2 valid, vec4 coding, Probe probe) {
     VectorPair position = positionCodes(first, second), normal = normalCodes(first, second);
     VectorPair offset =
@@ -93,8 +93,8 @@ void addToField(inout Field field, uvec4 first, uvec4 second, bvec2 valid, vec4 
     field.heaviest = heaviest ? heavier : field.heaviest;
 }
 
-// Raises the total weight to BLEND_WEIGHT_FLOOR with the disc hit first, extended as a plane beyond its rim: where few
-// other splats blend, at protruding rims and at borders, the surface continues smoothly into the flat disc.
+// Raises the total weight to BLEND_WEIGHT_FLOOR with the disc hit first, extended as a plane beyond its rim. Where few
+// other splats blend, as at protruding rims and at borders, the surface thus continues smoothly into the flat disc.
 void addFloorWeight(inout Field field, uvec4 words, vec4 coding, Probe probe) {
     float missing = max(BLEND_WEIGHT_FLOOR - field.weight, 0.0);
     field.weight += missing;
@@ -120,7 +120,7 @@ PairLoop pairsOf(uint cell_index) {
     return PairLoop(of_discs, of_discs + (others.y - others.x + 1u) / 2u, discs, others);
 }
 
-// The splats of a pair; an arbitrary one where valid is false.
+// The splats of a pair; where valid is false, an arbitrary splat.
 uvec2 splatsOf(PairLoop pairs, uint pair, out bvec2 valid) {
     bool is_disc = pair < pairs.of_discs;
     uint disc = (pairs.discs.x & ~1u) + 2u * (is_disc ? pair : 0u);
@@ -130,7 +130,7 @@ uvec2 splatsOf(PairLoop pairs, uint pair, out bvec2 valid) {
     return uvec2(loadListed(is_disc ? disc : blending.x), loadListed(is_disc ? disc + 1u : valid.y ? blending.y : 0u));
 }
 
-// The blended field at the probe. If not live, only the field of the disc that was hit first.
+// The blended field at the probe. If not live, the field of the disc hit first alone.
 Field evaluateField(uint cell_index, bool live, uvec4 first, Probe probe) {
     Field field = Field(0.0, 0.0, vec3(0.0), vec3(0.0), 0.0, 0.0, splatMaterial(first));
     PairLoop pairs = pairsOf(cell_index);
@@ -195,8 +195,8 @@ BlendedSurface flatSurface(uint splat, uvec4 words, float t, vec3 direction) {
                           splatMaterial(words), splat, back && kOriented, kOriented, noise);
 }
 
-// At rims the blended normal may face away from the viewer although the surface is visible: it is bent back to this
-// cosine, nearly perpendicular.
+// At rims the blended normal may face away from the viewer although the surface is visible. It is then bent back until
+// it is nearly perpendicular to the ray, with this cosine.
 const float kMinFacing = 0.01;
 
 vec3 bentToViewer(vec3 normal, vec3 direction) {
@@ -204,9 +204,9 @@ vec3 bentToViewer(vec3 normal, vec3 direction) {
     return away > 0.0 ? normalize(normal - away * direction) : normal;
 }
 
-// Radius to offset rays by (shaders/trace/offset.glsl) over that of a ball. Its surface is exact, and a higher lift
-// would often start rays inside a ball next to it: the lift of 1/32 radius is as high as the quantized ball
-// (pointrt/pro_index_layout.h) usually is. Rays are clear of that within half a radius.
+// Radius to offset rays by (shaders/trace/offset.glsl) relative to the radius of a ball. A ball's surface is exact, and
+// a higher lift would often start rays inside a neighbouring ball: the lift of 1/32 radius is about how far the
+// quantized ball (pointrt/pro_index_layout.h) extends. Rays are clear of the quantized ball within half a radius.
 const float kBallOffset = 1.0 / 8.0;
 
 BlendedSurface ballSurface(uint splat, uvec4 words, float t, vec3 origin, vec3 direction) {
@@ -218,18 +218,18 @@ BlendedSurface ballSurface(uint splat, uvec4 words, float t, vec3 origin, vec3 d
                           0.0);
 }
 
-// Whether the hits of a path with these bits are visible in the picture, directly or by mirrors and glass. After
+// Whether the hits of a path with these bits are visible in the picture, directly or through mirrors and glass. After
 // diffuse scattering, blended and flat surfaces look alike (tests/bench/NOTES.md, Hits after diffuse scattering).
 bool isSeen(uint bits) { return (bits & PATH_DIFFUSED) == 0u; }
 
-// The surface at a traced hit (the words as stored) of the ray. blends: false gives the flat disc, with the side chosen
+// The surface at a traced hit of the ray (the words as stored). blends: false gives the flat disc, with the side chosen
 // as below. Balls are spheres in any case.
 //
 // A back that a front covers is not a surface. Where a body curves away from the viewer, the discs beyond its
-// silhouette protrude, and rays that pass the rims of the front discs hit those from behind, in the dark. Such a hit is
-// treated as the rim of the front whose slab holds it, and takes its side. Hits within the self-intersection distance
-// self_t are left as they are: from inside a body, or in a hollow, rays hit backs at grazing angles next to fronts of
-// the same surface.
+// silhouette protrude, and rays that pass the rims of the front discs hit the protruding ones from behind, in the dark.
+// Such a hit is treated as the rim of the front disc whose slab holds it, and takes that disc's side. Hits within the
+// self-intersection distance self_t stay unchanged: from inside a body, or in a hollow, rays hit backs at grazing
+// angles next to fronts of the same surface.
 BlendedSurface surfaceAt(vec3 origin, vec3 direction, float self_t, uvec4 hit, bool blends) {
     uint splat = loadListed(hit.z);
     uvec4 words = loadSplat(splat);

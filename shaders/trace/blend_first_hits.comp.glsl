@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// First hits among several instances of Gaussians, from what gather_gaussians has gathered in a round. See
-// gaussian_first_hits, which finds those of a single instance.
+// First hits among several instances of Gaussians, from those that gather_gaussians has gathered in a round. See
+// gaussian_first_hits for a single instance.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "shaders/lib/path.glsl"
@@ -9,8 +9,8 @@
 #include "shaders/trace/waiting_gaussians.glsl"
 #include "shaders/trace/gaussian_rounds.glsl"
 
-// Use of GaussianLight between rounds: light.x: the most that one Gaussian adds; light.a: as always; last.xyz: the ids
-// of that Gaussian.
+// GaussianLight between rounds: light.x is the most that one Gaussian adds, last.xyz the ids of that Gaussian, and
+// light.a as always.
 void meetWaiting(WaitingGaussian next, inout GaussianLight sum) {
     float alpha = unpackUnorm2x16(next.blue_opacity).y, added = sum.light.a * alpha;
     uvec3 ids = uvec3(next.gaussian, next.red_green, next.blue_opacity & 0xFFFFu);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Stream compaction after culling: copies the entries of a culled list into the lists of the instances in their cull
-// masks.
+// Stream compaction after culling: copies each entry of the tested list to the culled lists of the instances in the
+// entry's cull mask.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_KHR_shader_subgroup_arithmetic : require

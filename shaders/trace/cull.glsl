@@ -13,7 +13,7 @@
 // Number of boxes tested, the first ones of the group.
 layout(constant_id = SPEC_CULL_BOXES) const uint kCullBoxes = CULL_INSTANCES;
 
-// A ray in steps of the boxes' frame: it crosses the plane at a coordinate at t = coordinate * inverse + start.
+// A ray in steps of the boxes' frame. It reaches a coordinate along an axis at t = coordinate * inverse + start.
 struct CullRay {
     vec3 inverse;
     vec3 start;

@@ -26,12 +26,11 @@ vec3 gridPoint(vec3 cube) { return cube * instance.grid_scale.x - vec3(instance.
 // The grid's highest corner.
 vec3 gridEnd() { return vec3(instance.grid_size.xyz); }
 
-// Bound of the rounding error, relative to the distance of a ray from a tile: a few times 2^-24.
+// Bound of the rounding error, relative to the distance of a ray's origin from a tile: a few times 2^-24.
 const float kCoreRounding = 4e-7;
 
-// The part of the grid that rays from this origin (grid units) traverse: all of it, or the core of a tile with a margin
-// for rounding. The margin is needed because rounding differs between tiles, and a ray must not slip between two of
-// them.
+// The part of the grid that rays from this origin (grid units) traverse: all of the grid, or the core of a tile with a
+// margin. Rounding differs between tiles, and without the margin a ray might slip between two of them.
 void traversedBox(vec3 origin, out vec3 lowest, out vec3 highest) {
     lowest = vec3(0.0);
     highest = gridEnd();
@@ -43,8 +42,8 @@ void traversedBox(vec3 origin, out vec3 lowest, out vec3 highest) {
     }
 }
 
-// Cells to skip from an empty one in the direction octant of the shift. It uses no multiplication or conversion, since
-// the latency after the load dominates a step.
+// Number of cells to skip from an empty cell in the direction octant given by the shift. Uses no multiplication or
+// conversion, since the latency after the load dominates a step.
 float skippedCells(uint word, uint octant_shift) {
     uint code = word >> octant_shift & PRO_SKIP_MASK;
     float cells = uintBitsToFloat((code << PRO_SKIP_SHIFT) + PRO_SKIP_BIAS);
@@ -57,7 +56,7 @@ bool isFilled(uint word) { return (word & PRO_SKIP_MASK) == 0u; }
 struct Spot {
     vec3 base;    // lowest corner of the cell, in units of its edge
     float edge;   // of the cell
-    uint word;    // of the cell, or of the grid cell if that is empty as a whole
+    uint word;    // of the cell, or of the grid cell if the whole grid cell is empty
 };
 
 // Descends from a brick cell through groups to the cell that holds the point.
@@ -99,7 +98,7 @@ Spot spotAt(vec3 point, Grid grid) {
     return spot;
 }
 
-// The filled cell that holds a point in cube units; NO_INDEX if that is empty or outside.
+// The filled cell that holds a point in cube units; NO_INDEX if the point is outside or in an empty cell.
 uint cellAt(vec3 point) {
     vec3 at = gridPoint(point);
     Spot spot = spotAt(at, loadGridFrame());

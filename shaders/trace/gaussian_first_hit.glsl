@@ -11,7 +11,7 @@ const float kHalf = 0.5;
 vec3 gaussianNormal(uint gaussian, vec3 direction) {
     vec3 x = loadGaussianRow(gaussian, 0u).xyz, y = loadGaussianRow(gaussian, 1u).xyz;
     vec3 z = loadGaussianRow(gaussian, 2u).xyz;
-    // rows are axes over their half lengths: the longest belongs to the shortest axis
+    // each row is an axis divided by its half length, so the longest row belongs to the shortest axis
     vec3 flattest = dot(x, x) > dot(y, y) ? x : y;
     flattest = dot(flattest, flattest) > dot(z, z) ? flattest : z;
     return dot(flattest, direction) > 0.0 ? -flattest : flattest;

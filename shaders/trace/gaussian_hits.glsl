@@ -2,8 +2,8 @@
 // Enumerates the Gaussians along a ray in the order of their peaks, one per call.
 //
 // A node's list is tested when the walk enters the node, so the peaks of large Gaussians are known long before the ray
-// gets there: they wait in a short sorted list. If it overflows, the farthest are dropped, and the walk starts again
-// where the first of them lies.
+// gets there: they wait in a short sorted list. If this list overflows, the farthest hits are dropped, and another walk
+// starts from the first dropped hit.
 #ifndef POINTRT_SHADERS_GAUSSIAN_HITS_GLSL
 #define POINTRT_SHADERS_GAUSSIAN_HITS_GLSL
 #include "shaders/trace/gaussian_walk.glsl"
@@ -24,7 +24,7 @@ struct GaussianHits {
     GaussianWalk walk;
     uint listed, listed_end; // the rest of the node's list
     float t_in, t_out;       // the part of the ray inside the node
-    GaussianHit last;        // the last one returned
+    GaussianHit last;        // the last hit returned
     GaussianHit lost;        // the first hit that was dropped
     GaussianHit waiting[WAITING];
 };
@@ -41,7 +41,7 @@ void openList(inout GaussianHits hits, bool opens) {
     hits.t_out = opens ? (at_root ? kWalkEnded : leastOf(exits)) : hits.t_out;
 }
 
-// Starts with the hits after the last one; does not enter nodes that the ray leaves before it.
+// Starts again with the hits after `last`; does not enter nodes that the ray leaves before `last`.
 void restart(inout GaussianHits hits, bool enters) {
     hits.walk = startGaussianWalk(hits.ray);
     openList(hits, true);
@@ -53,7 +53,7 @@ void restart(inout GaussianHits hits, bool enters) {
     FOR_WAITING(CLEAR)
 }
 
-// From the hit after `last` on.
+// Begins with the hit after `last`.
 GaussianHits resumeGaussianHits(GaussianRay ray, bool enters, GaussianHit last) {
     GaussianHits hits;
     hits.ray = ray;
@@ -84,7 +84,7 @@ void nextList(inout GaussianHits hits, bool going) {
     openList(hits, found);
 }
 
-// The next peak in the rest of the list that is nearer than the first hit dropped.
+// The next peak in the rest of the list, if nearer than the first dropped hit.
 GaussianHit nextPeak(inout GaussianHits hits, bool going) {
     GaussianHit found = kNoGaussianHit;
     bool tests = going && hits.listed < hits.listed_end;
@@ -101,7 +101,7 @@ GaussianHit nextPeak(inout GaussianHits hits, bool going) {
     return found;
 }
 
-// Compares all places in parallel: with a chain of insertions, each would wait for the one before.
+// Compares all places in parallel: in a chain of comparisons, each would wait for the one before.
 void insertHit(inout GaussianHits hits, GaussianHit hit) {
     bool is_nearer[WAITING];
 #define COMPARE(k) is_nearer[k] = isBefore(hit, hits.waiting[k]);
@@ -119,7 +119,7 @@ void insertHit(inout GaussianHits hits, GaussianHit hit) {
     FOR_WAITING(PLACE)
 }
 
-// The first waiting hit if no nearer one can follow, else none.
+// The first waiting hit if no nearer hit can follow, else none.
 GaussianHit takeHit(inout GaussianHits hits, bool going) {
     GaussianHit first = hits.waiting[0];
     bool complete = hits.listed == hits.listed_end;
@@ -136,7 +136,7 @@ GaussianHit takeHit(inout GaussianHits hits, bool going) {
 // Whether this pass may find more hits.
 bool mayContinue(GaussianHits hits) { return !hasWalked(hits) || hits.waiting[0].t < endOf(hits); }
 
-// The next hit in order, or none: then call again while mayContinue. enters: from gaussianRay.
+// The next hit in order. If there is none, call again while mayContinue.
 GaussianHit nextHit(inout GaussianHits hits, bool going) {
     nextList(hits, going);
     insertHit(hits, nextPeak(hits, going));
@@ -144,7 +144,7 @@ GaussianHit nextHit(inout GaussianHits hits, bool going) {
     return takeHit(hits, going);
 }
 
-// Whether hits were dropped; then another pass begins after the last hit returned.
+// Returns whether hits were dropped; if so, starts another pass after the last hit returned.
 bool restartIfLost(inout GaussianHits hits, bool enters, bool going) {
     bool again = going && hits.lost.gaussian != NO_INDEX;
     if (again) restart(hits, enters);

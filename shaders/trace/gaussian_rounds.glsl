@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Rounds that composite Gaussians: the first round is over the current rays, each further one over the rays that the
+// Rounds that composite Gaussians: the first round processes the current rays, each further round those that the
 // previous round listed.
 #ifndef POINTRT_SHADERS_GAUSSIAN_ROUNDS_GLSL
 #define POINTRT_SHADERS_GAUSSIAN_ROUNDS_GLSL

@@ -4,8 +4,8 @@
 #define POINTRT_SHADERS_GAUSSIAN_TRANSMITTANCE_GLSL
 #include "shaders/trace/gaussian_hits.glsl"
 
-// 0 if less than `least` passes; the order of Gaussians does not matter. cut: not all were tested, as in compositeAlong
-// (composite_gaussians.comp.glsl).
+// The share of light that passes; 0 if less than `least`. The order of Gaussians does not matter. cut: not all
+// Gaussians were tested, as in compositeAlong (composite_gaussians.comp.glsl).
 float gaussianTransmittance(GaussianRay ray, bool enters, bool live, float least, out bool cut) {
     GaussianHits hits = startGaussianHits(ray, enters);
     float transmittance = 1.0;

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // The walk through the octree of Gaussians, front to back and without a stack: from node to sibling, up to the parent
-// and down to the first child. Cells have integer coordinates, and the distance to a plane is computed alike for every
-// cell that it bounds. So the intervals of adjacent cells along a ray join without gaps or overlaps, and a Gaussian,
-// which counts only in the cell that contains its peak, counts once.
+// and down to the first child. Cells have integer coordinates, and the distance to a plane is computed in the same way
+// for every cell that the plane bounds. So the intervals of adjacent cells along a ray join without gaps or overlaps,
+// and a Gaussian, which counts only in the cell that contains its peak, counts once.
 //
-// For lavapipe, see the rules of loops in trace.glsl.
+// trace.glsl explains the form of loops for lavapipe.
 #ifndef POINTRT_SHADERS_GAUSSIAN_WALK_GLSL
 #define POINTRT_SHADERS_GAUSSIAN_WALK_GLSL
 #include "shaders/shared/gaussian_layout.h"
@@ -21,8 +21,8 @@ struct GaussianRay {
     vec3 origin;
     vec3 direction; // unit length
     float t_start;  // distance of that point from the ray's own origin
-    // relative to that point: peaks before it do not count; the ray's own origin, or where the ray enters the part that
-    // clips keep
+    // relative to that point: the ray's own origin, or where the ray enters the part that clips keep; earlier peaks do
+    // not count
     float t_min;
     float t_max;    // relative to that point
 };
@@ -32,7 +32,7 @@ struct GaussianWalk {
     vec3 positive; // 1 where the direction is not negative, else 0
     ivec3 cell;    // the node's cell, in units of its edge
     float edge;    // cube units
-    float t;       // distance at which the ray enters the node; after the last node beyond all numbers
+    float t;       // distance at which the ray enters the node; kWalkEnded after the last node
     uint number;   // number of the node
     uvec4 node;    // GaussianNode
     bool leaves;   // the node's children have been visited
@@ -122,12 +122,13 @@ GaussianPeak gaussianPeak(uint gaussian, GaussianRay ray) {
     vec3 origin = vec3(dot(row_x.xyz, from), dot(row_y.xyz, from), dot(row_z.xyz, from));
     vec3 way = vec3(dot(row_x.xyz, ray.direction), dot(row_y.xyz, ray.direction), dot(row_z.xyz, ray.direction));
     float inverse = 1.0 / dot(way, way);
-    // by the cross product: as the difference of two large squares, thin Gaussians would be lost
+    // by the cross product: the difference of two large squares would lose thin Gaussians
     vec3 across = cross(origin, way);
     return GaussianPeak(-dot(origin, way) * inverse, dot(across, across) * inverse);
 }
 
-// Opacity of a Gaussian at its peak: o exp(-d^2 / 2), where d^2 / 2 is ln(255 o) at the end of the ellipsoid.
+// Opacity of a Gaussian at its peak along a ray: o exp(-d^2 / 2), where d^2 / 2 is ln(255 o), and so the opacity 1/255,
+// on the surface of the ellipsoid.
 float alphaAt(float opacity, float distance_squared) {
     return min(opacity * exp2(-log2(255.0 * opacity) * distance_squared), GAUSSIAN_ALPHA_MAX);
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The box around all instances, tested before rays are queued for them.
+// The box around all instances, tested before rays are queued for intersection with instances.
 #ifndef POINTRT_SHADERS_INSTANCE_BOUNDS_GLSL
 #define POINTRT_SHADERS_INSTANCE_BOUNDS_GLSL
 #include "shaders/lib/math.glsl"

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Closest hits of the rays of LIST_INSTANCE_RAYS, or of what culling left of them, on one instance or on the tiles in a
-// block.
+// Closest hits of the rays of LIST_INSTANCE_RAYS, or of a culled list, on one instance or on the tiles in a block.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "shaders/trace/trace_queued.glsl"

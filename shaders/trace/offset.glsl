@@ -5,11 +5,11 @@
 #define POINTRT_SHADERS_OFFSET_GLSL
 #include "shaders/lib/features.glsl"
 
-// Neighbouring discs deviate from the blended surface by curvature, noise and, where several scans overlap, the
-// residual of their registration: two or three radii on dense merges. So the ray origin is lifted a little, just enough
+// Neighbouring discs deviate from the blended surface by curvature, noise and, where several scans overlap, residual
+// registration errors: by two or three radii on dense merges. So the ray origin is lifted only a little, just enough
 // that rounding cannot put it below the surface. Hits on discs that face the same way are ignored as self-intersections
-// until the ray is kSelfHeight radii above the surface, or kSelfReach radii (four disc widths) from its origin: at
-// grazing angles it would never get so high.
+// until the ray is kSelfHeight radii above the surface, or, since grazing rays would never get so high, kSelfReach
+// radii (four disc widths) from its origin.
 const float kSelfHeight = 3.0;
 const float kSelfReach = 8.0;
 // The height in radii to which the origin is lifted.
@@ -18,13 +18,13 @@ const float kLift = 0.25;
 // coordinate.
 const float kShapeUlps = 4.0 / 8388608.0;
 
-// If the scan stores noise, a ray has left the surface when it is kNoisyHeight standard deviations above it. On the way
-// it passes about ten discs. The probability that one of them is so high above the ray's origin, which itself deviates
-// by half a standard deviation, is 10 * Q(5 / sqrt(1.25)) = 4e-5. kNoisyReach is long enough for rays at elevations of
-// 10 degrees and more; lower ones carry less than a sixth of the light.
+// If the scan stores noise, a ray counts as clear of the surface at a height of kNoisyHeight standard deviations. On
+// the way there, it passes about ten discs. The probability that one of them is that high above the ray's origin, which
+// itself deviates by half a standard deviation, is 10 * Q(5 / sqrt(1.25)) = 4e-5. kNoisyReach is long enough for rays
+// at elevations of 10 degrees and more; lower rays carry less than a sixth of the light.
 const float kNoisyHeight = 5.0;
 const float kNoisyReach = kNoisyHeight / 0.1736482; // sine of 10 degrees
-// Upper limit of the noise, in radii: geometry more than 5 radii away always casts its shadow.
+// Upper limit of the noise, in radii, so that geometry more than 5 radii away always casts its shadow.
 const float kNoiseMost = 1.0;
 // The SURFACE_SELF_REACH_MASK steps from kSelfReach to the largest reach, kNoisyReach / kNoisyHeight * kSelfHeight =
 // 17.28.

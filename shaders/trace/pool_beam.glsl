@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Beams of a tile of pixels through the tiles in a block: the distance that the rays can skip in each tile of the
-// block, and a mask of the tiles that the beam does not miss.
+// Beams of a tile of pixels through the tiles in a block: for each tile of the block, the distance that the rays can
+// skip, and a mask of the tiles that their beam does not miss.
 #ifndef POINTRT_SHADERS_POOL_BEAM_GLSL
 #define POINTRT_SHADERS_POOL_BEAM_GLSL
 #include "shaders/shared/spec_constants.h"

@@ -4,7 +4,7 @@
 #ifndef POINTRT_SHADERS_POOL_HIT_GLSL
 #define POINTRT_SHADERS_POOL_HIT_GLSL
 
-// The closest hit of a path so far, which is also stored.
+// A copy of the closest stored hit of a path so far.
 struct ClosestHit {
     float t;    // render units
     bool found; // whether it is on one of these tiles
@@ -15,8 +15,8 @@ ClosestHit closestBefore(uint path) { return ClosestHit(uintBitsToFloat(loadHit(
 // The first tile in a mask, as a place among the tiles of the program.
 uint firstTile(uint tiles) { return uint(findLSB(tiles)); }
 
-// Stores a hit in the first tile of the mask if there is one. Counts it as a dispatch for each tile would: nearer hits
-// in later tiles do not undo that.
+// Stores the hit in the first tile of the mask, if any. Counts hits as a separate dispatch for each tile would: nearer
+// hits in later tiles do not undo the count.
 void takeHit(uint path, uint tiles, TraceHit hit, inout ClosestHit closest) {
     if (hit.disc == NO_INDEX) return;
     uint place = again(firstTile(tiles));

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Hardware traversal of one instance: ray queries find the boxes of its filled cells, in any order, in place of the
-// steps of the walk. As in the walk, testCell finds the hit in a cell.
+// Hardware traversal of one instance: instead of the steps of the walk, ray queries find the boxes of its filled cells,
+// in any order. As in the walk, testCell finds the hit in a cell.
 #ifndef POINTRT_SHADERS_QUERY_CELLS_GLSL
 #define POINTRT_SHADERS_QUERY_CELLS_GLSL
 #extension GL_EXT_ray_query : require
@@ -15,7 +15,7 @@ const uint kQueryFlags = gl_RayFlagsTerminateOnFirstHitEXT;
 const uint kQueryFlags = gl_RayFlagsNoneEXT;
 #endif
 
-// A candidate of the query as a visit of the walk, which is moved to where the ray enters the cell.
+// A candidate of the query as a visit of the walk. Moves the walk to where the ray enters the cell.
 Visit visitOf(uint cell, inout Walk walk) {
     vec4 box = cell_boxes[cell];
     vec3 t_planes = (box.xyz + (walk.entry - 0.5) * box.w - walk.origin) * walk.inverse;
@@ -25,9 +25,9 @@ Visit visitOf(uint cell, inout Walk walk) {
     return Visit(entersSlab(walk, loadSlab(cell), box.xyz, box.w, t_out) ? cell : NO_INDEX, box.xyz, box.w);
 }
 
-// Updates hit with the nearest hit before t_end; with ANY_HIT, with some hit. The walk stops before the cells that the
+// Updates hit with the nearest hit before t_end; with ANY_HIT, with some hit. The walk does not visit cells that the
 // ray enters behind a hit, although their lists may hold a nearer disc, rounded differently. To make the result
-// independent of the order of visits, a hit in front of its cell counts as if it were where the ray enters the cell.
+// independent of the order of visits, a hit in front of its cell is treated as lying where the ray enters the cell.
 void queryCells(Walk walk, TraceRay ray, float t_start, float t_end, inout TraceHit hit) {
     if (!(t_end > 0.0)) return; // an invalid ray, or an empty interval
     float t_limit = hit.t;

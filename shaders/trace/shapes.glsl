@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Intersection of rays with shapes, the analytic surfaces. Without a branch per kind: on lavapipe a branch costs as
-// much as both sides, and on GPUs lanes at shapes of different kinds would wait for each other.
+// Intersection of rays with shapes, the analytic surfaces. There is no branch for each kind: on lavapipe a branch costs
+// as much as both sides, and on GPUs lanes with shapes of different kinds would wait for each other.
 //
 // The program defines loadShape(i), a macro that returns the Shape with number i; nearestShape may pass 0 even if the
 // scene has no shapes. Without loadShape only the functions of a single shape are defined. If the program also defines
@@ -71,7 +71,7 @@ vec2 hitSphere(LocalRay ray) {
     float inverse = 1.0 / dot(ray.direction, ray.direction);
     float middle = -dot(ray.origin, ray.direction) * inverse;
     vec3 nearest = ray.origin + middle * ray.direction;
-    // refined from there, since the first estimate has the rounding error of the whole distance
+    // refined from that point, since the first estimate has the rounding error of the whole distance
     float rest = -dot(nearest, ray.direction) * inverse;
     nearest += rest * ray.direction;
     float height = 1.0 - dot(nearest, nearest);
@@ -163,7 +163,7 @@ ShapeHit nearestShape(uint count, vec3 origin, vec3 direction, float t_min) {
     return nearestShapeWithout(0u, count, origin, direction, t_min);
 }
 
-// For rays from the camera.
+// The nearest shape for rays from the camera.
 ShapeHit nearestSeenShape(uint count, vec3 origin, vec3 direction, float t_min) {
     return nearestShapeWithout(SHAPE_UNSEEN_BY_CAMERA, count, origin, direction, t_min);
 }

@@ -4,7 +4,7 @@
 #define POINTRT_SHADERS_SPLAT_GLSL
 #include "shaders/trace/instance.glsl"
 
-// Two vectors: .x of each component is the first, .y the second.
+// Two vectors: the .x of each component belongs to the first, the .y to the second.
 struct VectorPair {
     vec2 x, y, z;
 };
@@ -51,9 +51,9 @@ uint splatMaterial(uvec4 words) { return words.z >> PRO_MATERIAL_SHIFT; }
 
 bool isBall(uvec4 words) { return kHasBalls && (words.y & PRO_SPLAT_BALL) != 0u; }
 
-// Distance to a ball near t along the ray: to where the ray enters it, or leaves it if its origin is inside; for a near
-// miss, to the point closest to the ball. Unlike that of a disc, it is not clamped to a radius around t: a grazing ray
-// may enter half a radius away.
+// Distance to a ball near t along the ray: to where the ray enters the ball, or leaves it if the ray's origin is
+// inside; for a near miss, to the point closest to the ball. Unlike the distance to a disc, it is not clamped to a
+// radius around t: a grazing ray may enter half a radius away.
 float ballDistance(float t, uvec4 words, vec3 origin, vec3 direction) {
     float radius = splatRadius(words, instance.splat), inverse = 1.0 / dot(direction, direction);
     vec3 center = splatPosition(words), start = origin - center, offset = origin + t * direction - center;
@@ -61,15 +61,15 @@ float ballDistance(float t, uvec4 words, vec3 origin, vec3 direction) {
     vec3 across = offset - along * direction;
     float half_chord = sqrt(max(radius * radius - dot(across, across), 0.0) * inverse);
     float t_in = t - along - half_chord, t_out = t - along + half_chord;
-    // clips may cut a ball open, so that a ray from outside hits it where it leaves
+    // clips may cut a ball open, so that a ray from outside hits the ball where it leaves it
     bool inside = kClipped ? along > 0.0 : t_in < 0.0 || dot(start, start) < radius * radius;
     return max(inside ? t_out : t_in, 0.0);
 }
 
-// Distance to the disc or ball of a traced hit, given as the stored words of the TraceHit and the words of its splat. The
-// stored t is that of the quantized cell disc (pointrt/pro_index_layout.h), off by less than a hundredth of a radius
-// unless the ray grazes the disc. The exact distance is computed from that point: from a distant origin too few bits
-// would be left.
+// Distance to the disc or ball of a traced hit, given as the stored words of the TraceHit and the words of its splat.
+// The stored t is that of the quantized cell disc (pointrt/pro_index_layout.h), off by less than a hundredth of a
+// radius unless the ray grazes the disc. The exact distance is computed from that point: from a distant origin too few
+// bits would be left.
 float exactDistance(uvec4 hit, uvec4 words, vec3 origin, vec3 direction) {
     if (isBall(words)) return ballDistance(uintBitsToFloat(hit.x), words, origin, direction);
     float t = uintBitsToFloat(hit.x), radius = splatRadius(words, instance.splat);

@@ -11,7 +11,8 @@ uvec4 storedHit(TraceHit hit) {
     return uvec4(floatBitsToUint(hit.t / cubeScale()), hit.cell, hit.disc, instance.materials.x);
 }
 
-// Stores a hit nearer than the one so far and appends the path to the hit list for surface.
+// Stores a hit that is nearer than the closest one so far, and appends the path to the hit list for the program
+// surface.
 void storeHit(bool hits, uint path, uvec4 hit) {
     if (hits) imageStore(hit_texels, int(path), hit);
     appendEntry(APPEND_HIT, hits, path);

@@ -37,7 +37,7 @@ void main() {
     selectTile(hit.w >> HIT_PLACE_SHIFT);
     hit.w &= HIT_OWNER_MASK;
 #endif
-    uint t_hit = hit.x; // further instances compare their hits with this
+    uint t_hit = hit.x; // the t with which the hits of further instances are compared
     hit.x = floatBitsToUint(uintBitsToFloat(hit.x) * cubeScale());
     BlendedSurface surface = surfaceAt(cubePoint(path.origin), cubeDirection(path.direction), path.self_t * cubeScale(), hit,
                                        isSeen(path.bits));

@@ -22,8 +22,8 @@ struct SurfaceInteraction {
 uint materialOf(SurfaceInteraction point) { return point.bits & SURFACE_MATERIAL_MASK; }
 bool isBack(SurfaceInteraction point) { return (point.bits & SURFACE_BACK) != 0u; }
 
-// Decides whether the hit is on the back. Without oriented normals crossings alternate: every second one leaves the
-// glass.
+// Decides whether the hit is on the back. Without oriented normals, crossings alternate: every second crossing leaves
+// the glass.
 void resolveSides(inout SurfaceInteraction point, PathState path) {
     bool back = (point.bits & SURFACE_SIDED) != 0u ? isBack(point) : (path.bits & PATH_INSIDE) != 0u;
     point.bits = point.bits & ~SURFACE_BACK | (back ? SURFACE_BACK : 0u);

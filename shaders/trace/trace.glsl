@@ -6,13 +6,13 @@
 
 // Ray traversal of one instance: stackless, in grid units. Each step finds the cell that the ray enters and passes it:
 // an empty cell together with as many more as its word allows in the ray's direction octant, a filled cell alone. The
-// discs of a filled cell are tested only if the ray enters the slab between the two planes that bound them there. The
-// only state from step to step is t: the ray looks one position step ahead, and the lists of cells include what that
-// skips.
+// discs of a filled cell are tested only if the ray enters the slab between the two planes that bound them in the cell.
+// The only state from step to step is t: the ray looks one position step ahead, and the lists of cells include the
+// splats that this skips.
 //
-// On lavapipe a loop runs its body once more after the last lane has left, unless the condition is tested at the end;
-// and a lane that has left takes part until all have. So loops are do-while, and results used after them are selected
-// by the lane's own condition (values merely computed in a do-while are wrong for such lanes).
+// On lavapipe, a loop runs its body once more after the last lane has left, unless the condition is tested at the end;
+// and a lane that has left takes part until all lanes have left. So loops are do-while, and results used after a loop
+// are selected by the lane's own condition (values merely computed in a do-while are wrong for such lanes).
 
 struct TraceHit {
     float t;   // along the ray to the quantized cell disc or ball (exactDistance refines it); t_max for a miss
@@ -20,10 +20,10 @@ struct TraceHit {
     uint disc; // the near splat, NO_INDEX for a miss
 };
 
-// A ray in cube units. Self-intersection: hits nearer than self_t on discs that face like self_normal are ignored, and
-// without oriented normals also those on discs that face the opposite way. Only discs that the ray crosses in the
-// direction in which it left its surface count as self: in hollows, a ray comes back to the same surface, at grazing
-// angles within self_t.
+// A ray in cube units. Self-intersection: hits nearer than self_t are ignored on discs that face like self_normal, and
+// without oriented normals also on discs that face the opposite way. Only discs that the ray crosses in the direction
+// in which it left its surface count as self: in hollows, rays return to the same surface, at grazing angles within
+// self_t.
 struct TraceRay {
     vec3 origin;
     vec3 direction;
@@ -86,7 +86,7 @@ Walk startWalk(TraceRay ray, vec2 kept, out float t_start) {
     vec3 far = (last - origin) * walk.inverse;
     t_start = max(max(near.x, near.y), max(near.z, ray.t_min));
     if (kClipped) t_start = max(t_start, kept.x);
-    // from a distant origin rounding may put it outside, where lookups return words of other cells
+    // from a distant origin, rounding may put the point outside, where lookups return words of other cells
     walk.origin = clamp(origin + walk.direction * t_start, lowest, highest);
     walk.start = walk.origin + side * instance.grid_scale.y;
     walk.t = 0.0;
@@ -108,7 +108,7 @@ bool entersSlab(Walk walk, uint slab, vec3 middle, float edge, float t_out) {
     return (near > far ? near : far) >= lo * unit && (near < far ? near : far) <= hi * unit;
 }
 
-// t at which the ray leaves the cell and the empty ones that follow.
+// t at which the ray leaves the cell and the empty cells that follow.
 float leaveSpot(Walk walk, Spot spot) {
     float cells = isFilled(spot.word) ? 1.0 : skippedCells(spot.word, walk.octant_shift);
     // From the entry plane, which is known before the word: on CPUs the latency after the load dominates a step. The
@@ -136,12 +136,12 @@ Visit stepWalk(Walk walk, Grid grid, out float t_out) {
     return Visit(visits ? cell : NO_INDEX, middle, spot.edge);
 }
 
-// Distance, in radii, between the quantized discs of the same splat in two tiles: each is off by less than a hundredth.
+// Distance, in radii, between the quantized discs of one splat in two tiles: each is off by less than a hundredth.
 const float kCoreSlack = 1.0 / 32.0;
 
-// Clips hits to the core of a tile. A hit counts if it lies in the core, or if the ray is so close to the disc at the
-// core's border that the neighbouring tile's copy of the disc may be hit outside its own core. A ray that grazes the
-// disc stays that close for a long way.
+// Clips hits to the core of a tile. A hit counts if it lies in the core, or if at the core's border the ray is so close
+// to the disc that the hit on the neighbouring tile's copy of the disc may lie outside the neighbour's core. A ray that
+// grazes the disc stays that close for a long way.
 bool isInCore(float t, float slope, float normal_squared, float radius_squared, vec2 t_core) {
     float height = (t - clamp(t, t_core.x, t_core.y)) * slope;
     return height * height <= kCoreSlack * kCoreSlack * normal_squared * radius_squared;
@@ -156,12 +156,12 @@ bool isBallInCore(float t, vec3 to_center, vec3 direction, float radius_squared,
 // Hits before this distance do not count.
 float leastDistance(CellRay cell_ray, float t_start) { return kClipped ? cell_ray.t_least : -t_start; }
 
-// Distance to where the ray enters a cell ball, or leaves it if its origin is inside; t_limit if that is missed, not
-// nearer, or a self-intersection. Rays that leave a ball's surface do not come back to it, so entering a ball is never
-// a self-intersection. But the quantized ball that a ray left may hold the ray's origin, and so may one that overlaps
-// it there: leaving such a ball, on the side that self_normal faces, is one.
+// Distance to where the ray enters a cell ball, or leaves it if the ray's origin is inside; t_limit if the hit is
+// missing, not nearer, or a self-intersection. Rays that leave a ball's surface do not return to it, so entering a ball
+// is never a self-intersection. But the ray's origin may lie inside the quantized ball that the ray left, or inside an
+// overlapping ball: leaving such a ball, on the side that self_normal faces, is a self-intersection.
 //
-// Clips cut balls open: a ray that enters a ball before the part that they keep hits it where it leaves.
+// Clips cut balls open: a ray that enters a ball before the part that the clips keep hits the ball where it leaves it.
 float hitBall(vec3 to_center, float radius_squared, CellRay cell_ray, TraceRay ray, float t_start, float t_limit) {
     float inverse = 1.0 / dot(cell_ray.direction, cell_ray.direction);
     float t_middle = dot(to_center, cell_ray.direction) * inverse;
@@ -178,7 +178,7 @@ float hitBall(vec3 to_center, float radius_squared, CellRay cell_ray, TraceRay r
     return hits ? t : t_limit;
 }
 
-// Distance to a near splat along the ray: a cell disc, or a ball; t_limit if it is missed, not nearer, or a
+// Distance along the ray to a near splat, a cell disc or a ball; t_limit if the hit is missing, not nearer, or a
 // self-intersection.
 float hitNear(uvec2 words, CellRay cell_ray, TraceRay ray, float t_start, float t_limit) {
     const ivec3 axes = ivec3(0, 1, 2);
@@ -236,7 +236,7 @@ void testCell(Walk walk, Visit visit, TraceRay ray, float t_start, inout TraceHi
     vec3 middle = visit.middle + middleOffset(cell[PRO_CELL_BLENDING_COUNT]) * (0.5 * visit.edge);
     CellRay cell_ray = CellRay((walk.origin - middle) * codes, walk.direction * codes,
                                dot(walk.direction, ray.self_normal), walk.t_least, walk.t_core);
-    // lists need not start or end at pairs: the neighbours tested along are discs too
+    // lists need not start or end at pairs: the neighbouring entries that are tested with them are discs, too
     uint first = cell[PRO_CELL_FIRST], end = visits ? first + (cell[PRO_CELL_COUNT] & PRO_CELL_COUNT_MASK) : 0u;
     uint k = visits ? first & ~1u : 0u;
     float t_before = hit.t;
@@ -282,7 +282,7 @@ TraceRay validRay(TraceRay ray) {
 #include "shaders/trace/query_cells.glsl"
 #endif
 
-// The closest hit; with ANY_HIT, some hit. HARDWARE: the device finds the cells, in place of the walk.
+// The closest hit; with ANY_HIT, some hit. HARDWARE: the device's ray queries find the cells instead of the walk.
 TraceHit trace(TraceRay given) {
     TraceRay ray = validRay(given);
     Grid grid = loadGridFrame();

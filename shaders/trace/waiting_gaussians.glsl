@@ -7,7 +7,7 @@
 
 uint placeOf(WaitingGaussian waiting) { return waiting.instance & 0xFFFFu; }
 
-// The order along a ray; for coinciding peaks, the order of instances and of their Gaussians.
+// Whether a comes before b along the ray; for coinciding peaks, in the order of instances and of their Gaussians.
 bool isBefore(WaitingGaussian a, WaitingGaussian b) {
     uint place_a = placeOf(a), place_b = placeOf(b);
     bool is_lower = place_a != place_b ? place_a < place_b : a.gaussian < b.gaussian;
@@ -20,7 +20,7 @@ void startRounds(uint path) {
     waiting_gaussians[path].last_gaussian = NO_INDEX;
 }
 
-// Has only the values that determine its order.
+// The last Gaussian composited, with only the values that determine its place in the order.
 WaitingGaussian lastComposited(uint path) {
     return WaitingGaussian(waiting_gaussians[path].last_t, waiting_gaussians[path].last_gaussian,
                            waiting_gaussians[path].last_instance, 0u, 0u, 0u);

@@ -139,7 +139,7 @@ std::vector<InputEvent> Window::collectInput() {
     std::vector<InputEvent> events = std::exchange(input_.pending, {});
     if (events.empty()) events = host_.poll(inputTimeout());
     if (!session_.isReplaying()) return events;
-    // in a replay, of the real window's events only size changes count
+    // a replay ignores the real window's events, except changes of size
     std::erase_if(events, [](const InputEvent& event) { return !std::holds_alternative<ResizeEvent>(event); });
     ReplayFrame replayed = session_.next(pictureState());
     for (InputEvent& event : replayed.events) {

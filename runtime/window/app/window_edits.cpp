@@ -41,7 +41,7 @@ void Window::ask(Question question, std::function<void(std::size_t)> answered) {
     on_answer_ = std::move(answered);
 }
 
-/// Continues with what ends the current scene once its edits are saved or discarded.
+/// Runs next, which replaces the current scene, once the scene's edits are saved or discarded.
 void Window::afterSaving(std::function<void()> next) {
     if (!editor_.isModified()) return next();
     enum : std::size_t { kSave, kDiscard, kCancel };
@@ -52,7 +52,7 @@ void Window::afterSaving(std::function<void()> next) {
         });
 }
 
-/// Quits at once unless pictures are being rendered, which would be lost.
+/// Quits at once, or asks first if pictures are being rendered, which would be lost.
 void Window::quitAfterPictures() {
     if (work_.stills.empty() && !jobs_.has(JobKind::kTurntable)) {
         quit_ = true;
@@ -168,11 +168,11 @@ void Window::offerAutosave(const SceneSource& scene) {
         autosave_ = std::make_unique<Autosave>(folder.empty() ? folder : folder + "/autosave", scene.name());
     };
     if (scene.is_autosave) {
-        if (!autosave_) takeAutosave(); // it was reopened after the device was lost
+        if (!autosave_) takeAutosave(); // a new window, after the device was lost
         if (!scene.only_view) editor_.markUnsaved();
         return;
     }
-    if (scene.follows_quick) return; // it was offered with the quick bake
+    if (scene.follows_quick) return; // the edits were offered with the quick bake
     if (autosave_) autosave_->discard();
     addRecentFile(folder, scene.name());
     takeAutosave();
@@ -211,8 +211,8 @@ void Window::compareScans(const Comparison& comparison) {
     if (!starts) notify("wait until the other outline or comparison is finished", true);
 }
 
-/// Opens the scene again with the copy of the scan that has distances, coloured by distance. Hides the reference, which
-/// would cover half of it.
+/// Reopens the scene with the copy of the scan that has distances, coloured by distance. Hides the reference, which
+/// would cover half of the copy.
 void Window::showComparison(const std::string& with_distances, const Comparison& comparison) {
     SceneDescription shown = sceneAsShown(work_, {host_.pixels().width, host_.pixels().height});
     InstanceDescription& compared = shown.instances.at(comparison.compared);

@@ -32,7 +32,7 @@ namespace {
 /// Interval of redrawing the interface while there is no input.
 constexpr double kRedraw_s = 0.1;
 constexpr std::size_t kPicks = 2;
-/// Limit of picks in a path: more than anyone clicks, since each is drawn in every frame.
+/// Limit of picks in a path, since each is drawn in every frame: more than anyone clicks.
 constexpr std::size_t kPathPicks = 1000;
 /// Share of the tile memory for the current cut; the rest is for tiles that load while it is displayed.
 constexpr double kCutShare = 0.8;
@@ -81,7 +81,7 @@ std::function<void(VkCommandBuffer)> takeUploads(Host& host, ImageController& im
     std::vector<PictureUpdate> updates = live.updates();
     live.clearUpdates();
     const PixelSize canvas{host.pixels().width, host.pixels().height};
-    // after the window's size has changed, its picture comes with the next frame
+    // after the window's size has changed, a picture of that size follows in the next frame
     if (updates.empty() || canvas != image.size()) return {};
     return [&host, &pixels = live.pixels(), updates = std::move(updates)](VkCommandBuffer commands) {
         recordUploads(commands, host, pixels, updates);
@@ -177,7 +177,7 @@ void Window::editScene(bool dragging, bool in_progress) {
         const bool moves = update.kind == UpdateKind::kPlacements;
         updateSceneTables(host_.device(), *loaded_, work_.scene, work_.settings, std::move(update));
         editor_.clearPendingEdits();
-        // while a lamp is dragged, the last picture with its light fading is better than none
+        // while a lamp is dragged, the last picture with its outdated light is better than none
         image_.restart(!dragging ? ViewChange::kAll : moves ? ViewChange::kPlacements : ViewChange::kScene);
         update.kind = UpdateKind::kNothing;
     }
@@ -270,8 +270,8 @@ void Window::updatePicture() {
     if (image_.isFilmReady() && !jobs_.has(JobKind::kSave)) tryOrNotify("", [&] { saveFilm(); });
 }
 
-/// While there is no input, refines the picture without redrawing the interface, which leaves all the time to the
-/// picture. Input is polled as often as before.
+/// While there is no input, refines the picture without redrawing the interface, so that the picture gets all the time.
+/// Input is polled as often as before.
 void Window::refineWithoutRedraw() {
     const ViewportRenderer& live = *image_.live();
     while (!image_.moved() && !input_.any && !ui_.isDragging() && !view_.isInFlight() && !work_.job &&

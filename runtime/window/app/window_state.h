@@ -36,13 +36,13 @@ struct TileView {
     bool operator==(const TileView&) const = default;
 };
 
-/// The view of a scene that is opened again: scene files do not store a pivot beside the line of sight.
+/// The view of a scene that is being reopened: scene files cannot store a pivot beside the line of sight.
 struct KeptView {
-    std::string scene; ///< its name
+    std::string scene; ///< the scene's name
     ViewCamera camera, home;
 };
 
-/// The state that a window which lost its device hands to the next one.
+/// The state that a window that lost its device hands over to the next window.
 struct ReopenedWindow {
     RecordReplay session;
     std::optional<SceneSource> scene; ///< none: the next window opens what the options name
@@ -114,7 +114,7 @@ private:
     /// Events of this frame, and those kept for later ones.
     struct Input {
         std::vector<InputEvent> pending;      ///< polled in an earlier frame
-        std::vector<std::string> screenshots; ///< names of the PNGs to write of the next frame
+        std::vector<std::string> screenshots; ///< names of PNGs to write of the next frame
         bool any = true;                      ///< this frame had events
     };
 

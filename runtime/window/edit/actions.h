@@ -7,7 +7,7 @@
 
 namespace pointrt {
 
-/// Returns false and does nothing for actions of others: of camera, clipboard, or other files.
+/// Returns false and does nothing for actions that are handled elsewhere: camera, clipboard, opening other files.
 bool applyAction(Workspace& work, Action action);
 
 } // namespace pointrt

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A copy of the edited scene, for the case that the program ends before it is saved.
+// A copy of the edited scene, in case the program ends before the user saves the scene.
 #pragma once
 
 #include <string>
@@ -9,8 +9,8 @@
 
 namespace pointrt {
 
-/// The autosave of one open scene. Each scene has up to ten, one for each program that has it open; a lock marks those
-/// in use. Nothing is saved if the folder is not writable.
+/// The autosave of one open scene. A scene has up to ten, one for each program that has the scene open; locks mark the
+/// autosaves in use. Nothing is saved if the folder is not writable.
 class Autosave {
 public:
     /// folder: of autosaves; "" for none. scene: the path by which users know the scene.

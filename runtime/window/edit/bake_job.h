@@ -11,11 +11,11 @@
 
 namespace pointrt {
 
-/// Bakes everything, or first a tenth of the points, to have something to show.
+/// Whether to bake all points, or only a tenth of them to show something quickly.
 enum class BakeDetail : std::uint8_t { kAll, kQuick };
 
-/// Runs bakeCached. Leaves no partial file when cancelled: pointrt-bake gets SIGTERM, and SIGKILL after three seconds;
-/// if it is already writing its output, it completes that.
+/// Runs bakeCached. Leaves no partial file when cancelled: pointrt-bake gets SIGTERM, and SIGKILL after three seconds.
+/// If pointrt-bake is already writing its output, the output is completed.
 class BakeJob {
 public:
     explicit BakeJob(const ScanBake& bake, BakeDetail detail = BakeDetail::kAll,
@@ -29,7 +29,7 @@ public:
     bool isQuick() const { return is_quick_; }
 
 private:
-    std::string output_; ///< owned by the thread until the job has ended, as is_quick_
+    std::string output_; ///< owned by the thread until the job has ended, like is_quick_
     bool is_quick_ = false;
     Job job_;
 };

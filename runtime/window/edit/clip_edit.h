@@ -15,13 +15,13 @@ ClipDescription newClipBox(Vec3 low, Vec3 high);
 struct ClipSurface {
     Vec3 position, normal;
 };
-/// A plane through a picked place, along the surface there but perpendicular to the nearest axis, that cuts away what
-/// is in front of it as seen by the viewer. Without a pick, a level plane through the middle of the scan that keeps the
-/// part below. forward: of the camera; up: of the scene; both of unit length
+/// A plane through a picked point, perpendicular to the axis nearest to the surface normal, that cuts away the viewer's
+/// side. Without a pick, a level plane through the middle of the scan that keeps the part below. forward: of the
+/// camera; up: of the scene; both of unit length
 ClipDescription newClipPlane(const std::optional<ClipSurface>& picked, Vec3 forward, Vec3 middle, Vec3 up);
 
-/// Moves one side of a box along its own axis; the other sides stay where they are, also if the box is rotated. The box
-/// stays at least `least` thick, which is above 0.
+/// Moves one side of a box along the box's own axis; the other sides stay in place, even if the box is rotated. The box
+/// remains at least `least` thick, which is above 0.
 /// @param axis 0, 1, 2: x, y, z
 void setBoxSide(ClipBox& box, std::size_t axis, bool is_high, double value, double least);
 

@@ -25,7 +25,7 @@ std::string titleOf(const SceneDescription& scene, const Comparison& comparison)
            layerName(scene, {LayerKind::kScan, comparison.reference});
 }
 
-/// A name in the cache that depends on both scans and where they lie.
+/// A path in the cache that depends on both scans and their placements.
 std::string cachedPath(const FileCache& cache, const SceneDescription& reference, const SceneDescription& compared,
                        const std::string& tool, const JobControl& control) {
     const ScanBake both{{reference.instances.front().path, compared.instances.front().path},

@@ -15,10 +15,10 @@ struct FileBrowser {
     };
     std::string folder;         ///< absolute
     std::vector<Entry> entries; ///< folders first, in natural order, without hidden files and files that are not scans
-    std::string error;          ///< why the folder cannot be read; empty: it was
+    std::string error;          ///< why the folder could not be read; empty: success
 };
 
-/// Whether a path is a file to open, or a scene or tile set that is a folder: not a folder to list.
+/// Whether to open a path (a file, or a folder that is a scene or tile set) rather than list it as a folder.
 bool isToOpen(const std::string& path);
 
 /// Reads a folder; empty: the current one.

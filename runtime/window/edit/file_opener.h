@@ -15,12 +15,12 @@ namespace pointrt {
 /// A scene to load.
 struct SceneSource {
     std::string path;
-    std::string source;         ///< the name by which users know it, such as the scan it was baked from; empty: path
-    bool is_autosave = false;   ///< path contains edits of source that are in no file of the user
+    std::string source;         ///< the name by which users know path, such as the scan it was baked from; empty: path
+    bool is_autosave = false;   ///< path is an autosave: it has edits of source that the user has not saved
     bool is_quick = false;      ///< path is a quick bake of source
-    bool follows_quick = false; ///< it is the full bake after a quick one
-    std::vector<std::string> added = {}; ///< further scans (.pro, .proset) beside path
-    bool only_view = false;              ///< of an autosave: only the view differs from source
+    bool follows_quick = false; ///< path is the full bake that follows a quick one
+    std::vector<std::string> added = {}; ///< further scans (.pro, .proset) to show together with path
+    bool only_view = false;              ///< an autosave that differs from source only in the view
 
     const std::string& name() const { return source.empty() ? path : source; }
 };
@@ -33,13 +33,12 @@ public:
     /// jobs must outlive it. notify: receives errors and remarks.
     FileOpener(JobQueue& jobs, JobQueue::Notify notify, StartLoad load);
 
-    /// Loads a scene, instead of one that is still loading.
+    /// Loads a scene. Cancels one that is still loading.
     void open(const SceneSource& scene);
     /// The same for the scene of the command line, or for its scans, which are baked first: quickly, to have something
     /// to show, then fully. While nothing else is shown, errors are thrown, from here or from JobQueue::poll.
     void openNamed(const ScanBake& inputs);
-    /// Opens baked scans together, each as a layer, or a scene file, which must be alone. Other files are scans to bake
-    /// together.
+    /// Opens baked scans together, each as a layer, or a single scene file. Bakes other files together, as scans.
     void drop(const std::vector<std::string>& paths);
     /// Whether the scene of this name was baked from scans that can be baked again.
     bool mayBakeAgain(const std::string& name) const { return baked_ && baked_->scans.front() == name; }

@@ -61,11 +61,11 @@ public:
     void cancel() { thread_.request_stop(); }
     JobState state() const;
     bool ended() const { return state() != JobState::kRunning; }
-    /// Why it failed; empty otherwise.
+    /// Why the job failed; empty if it did not.
     std::string error() const;
-    /// The exit code for that error.
+    /// The exit code for error().
     ExitCode errorCode() const;
-    /// The Error that it failed with, of the type that was thrown; null if there is none.
+    /// The Error that the job failed with, of the type that was thrown; null if there is none.
     std::exception_ptr thrown() const;
     JobStatus status() const;
 

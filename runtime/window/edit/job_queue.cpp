@@ -8,7 +8,7 @@ namespace pointrt {
 
 JobQueue::~JobQueue() {
     for (Slot& each : slots_)
-        if (each.running) each.running->job->cancel(); // cancels all first, so that their threads end in parallel
+        if (each.running) each.running->job->cancel(); // all of them first: their threads end in parallel
 }
 
 bool JobQueue::start(JobKind kind, const JobStart& start) {

@@ -15,16 +15,16 @@
 
 namespace pointrt {
 
-/// At most one job of each kind runs. The display shows, and Cancel cancels, the first running one in this order, but
-/// never tiles, which are loaded all the time.
+/// At most one job of each kind runs. The window displays the first running job in this order, which Cancel cancels;
+/// kTiles is left out, since tiles load all the time.
 enum class JobKind : std::uint8_t { kLoad, kSceneUpdate, kBake, kStudy, kTurntable, kSave, kTiles, kCount };
 constexpr std::size_t kJobKinds = static_cast<std::size_t>(JobKind::kCount);
 
 /// How a new job is scheduled while another one runs.
 enum class Scheduling : std::uint8_t {
-    kConcurrent, ///< runs beside it
-    kAfter,      ///< waits until it has ended
-    kReplaces    ///< cancels it, and starts when it has ended
+    kConcurrent, ///< runs at the same time
+    kAfter,      ///< waits until the running job has ended
+    kReplaces    ///< cancels the running job, and starts when that has ended
 };
 
 /// kScheduling[new][running], rows and columns in the order of JobKind. Loading and updating the scene need exclusive
@@ -33,7 +33,7 @@ constexpr std::array<std::array<Scheduling, kJobKinds>, kJobKinds> kScheduling =
     using enum Scheduling;
     return std::array<std::array<Scheduling, kJobKinds>, kJobKinds>{{
         /* load      */ {kReplaces, kAfter, kConcurrent, kConcurrent, kConcurrent, kConcurrent, kAfter},
-        /* relight   */ {kAfter, kAfter, kConcurrent, kConcurrent, kConcurrent, kConcurrent, kAfter},
+        /* update    */ {kAfter, kAfter, kConcurrent, kConcurrent, kConcurrent, kConcurrent, kAfter},
         /* bake      */ {kConcurrent, kConcurrent, kAfter, kConcurrent, kConcurrent, kConcurrent, kConcurrent},
         /* study     */ {kConcurrent, kConcurrent, kConcurrent, kAfter, kConcurrent, kConcurrent, kConcurrent},
         /* turntable */ {kConcurrent, kConcurrent, kConcurrent, kConcurrent, kAfter, kConcurrent, kConcurrent},
@@ -41,7 +41,7 @@ constexpr std::array<std::array<Scheduling, kJobKinds>, kJobKinds> kScheduling =
         /* tiles     */ {kAfter, kAfter, kConcurrent, kConcurrent, kConcurrent, kConcurrent, kAfter},
     }};
 }();
-/// At most one job of each kind, and a symmetric kConcurrent. False if a row is missing.
+/// True if jobs of one kind never run at the same time and kConcurrent is symmetric. False if a row is missing.
 constexpr bool isConsistent(const decltype(kScheduling)& table) {
     for (std::size_t a = 0; a < kJobKinds; ++a)
         for (std::size_t b = 0; b < kJobKinds; ++b) {
@@ -100,7 +100,7 @@ public:
     /// Running or waiting.
     bool has(JobKind kind) const;
     bool any() const;
-    /// Status of the running job of a kind, or of the displayed one.
+    /// Status of the running job of a kind; without a kind, of the displayed job.
     std::optional<JobStatus> status(JobKind kind) const;
     std::optional<JobStatus> status() const;
     /// Cancels the displayed job, if possible.

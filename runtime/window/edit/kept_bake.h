@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Bakes of the user's cache kept for scene files: the cache may delete its files at any time.
+// Keeps cached bakes that scene files name: the cache may delete its own files at any time.
 #pragma once
 
 #include "runtime/device_scene/file_cache.h"
@@ -8,7 +8,7 @@
 namespace pointrt {
 
 /// For each cached bake that scene names, creates a file in the current folder, named after the scan: statue.pro for
-/// statue.ply, or statue-1.pro and so on if that is another file. Throws Error kCannotWrite.
+/// statue.ply, or statue-1.pro and so on if that name is taken by another file. Throws Error kCannotWrite.
 void keepBakes(SceneDescription& scene, const FileCache& cache);
 
 } // namespace pointrt

@@ -17,7 +17,7 @@ Vec3 middleOf(const ClipDescription& clip) {
     return 0.5 * (box.low + box.high);
 }
 
-/// Calls move(position) if the light has one: suns have none.
+/// Calls move(position) if the light has a position: suns have none.
 template <typename Move>
 void visitPosition(LightDescription& light, const Move& move) {
     const auto visit = Overloaded{[&](PositionField field) { move(field.value); }, [](const auto&) {}};
@@ -49,7 +49,7 @@ bool hasDirections(LightDescription light) {
     return found;
 }
 
-/// turn(v) for each direction of the clip.
+/// Calls turn(v) for each direction of the clip.
 template <typename Turn>
 void turnClip(ClipDescription& clip, const Turn& turn) {
     if (auto* plane = std::get_if<ClipPlane>(&clip.form)) return turn(plane->normal);

@@ -17,7 +17,7 @@ std::optional<Vec3> layerMiddle(const SceneDescription& scene, LayerId id, std::
 /// by: displacement in the world.
 void moveLayer(SceneDescription& scene, LayerId id, Vec3 by);
 
-/// False if no rotation changes it, as for balls and point lights.
+/// False if rotations do not change the layer, as for balls and point lights.
 bool mayTurn(const SceneDescription& scene, LayerId id);
 
 /// Rotates the layer about its middle. axis: unit length, in the world

@@ -76,7 +76,7 @@ Bearing bearingOf(Vec3 direction, Vec3 up) {
     if (!(size > 0) || !std::isfinite(size)) return {0, 90};
     const Vec3 unit = direction * (1 / size), north = defaultNorth(up);
     const double ahead = dot(unit, north), east = dot(unit, cross(north, up)), level = std::hypot(ahead, east);
-    constexpr double none = 1e-9; // rounding error of straight up
+    constexpr double none = 1e-9; // horizontal part due to rounding, of a direction straight up
     const double azimuth = level > none ? std::atan2(east, ahead) / kDegree : 0;
     return {azimuth < 0 ? azimuth + 360 : azimuth, std::atan2(dot(unit, up), level) / kDegree};
 }

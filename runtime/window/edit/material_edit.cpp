@@ -9,7 +9,7 @@
 namespace pointrt {
 namespace {
 
-/// Names of materials created here begin so, followed by a number.
+/// Materials created here are named with this word and a number.
 constexpr const char* kScanName = "scan";
 
 std::string freeName(const SceneDescription& scene) {
@@ -19,7 +19,7 @@ std::string freeName(const SceneDescription& scene) {
     return name;
 }
 
-/// A material created here earlier that nothing uses any more, or a new one.
+/// A material created here earlier that is no longer used, or a new one.
 std::optional<std::uint32_t> spareMaterial(SceneDescription& scene, InstanceRange range) {
     for (std::uint32_t m = 0; m < scene.materials.size(); ++m)
         if (scene.materials[m].name.starts_with(kScanName) && !usedBeside(scene, range, m)) return m;
@@ -29,7 +29,7 @@ std::optional<std::uint32_t> spareMaterial(SceneDescription& scene, InstanceRang
     return static_cast<std::uint32_t>(scene.materials.size() - 1);
 }
 
-/// The first instance's material, if only the range uses it.
+/// The material of the range's first instance, if nothing outside the range uses it.
 std::optional<std::uint32_t> ownMaterial(const SceneDescription& scene, InstanceRange range) {
     const auto material = scene.instances[range.first].material;
     if (!material || *material >= scene.materials.size() || usedBeside(scene, range, *material)) return std::nullopt;

@@ -28,9 +28,9 @@ bool isMaterialNamed(const SceneDescription& scene, const std::string& name);
 /// A default material of this kind, with the scan's own colours if the kind has colours.
 MaterialDescription freshMaterial(MaterialKind kind);
 
-/// Gives the instances an unshared material of this kind, or their files' materials if kind is none. Modifies their
-/// material if nothing else uses it, otherwise adds one. Returns false and changes nothing if the scene has the maximum
-/// number of materials.
+/// Gives the instances a material of this kind that nothing else uses, or their files' materials if kind is none.
+/// Modifies their current material if nothing else uses it, otherwise adds one. Returns false and changes nothing if
+/// the scene has the maximum number of materials.
 bool setScanMaterial(SceneDescription& scene, InstanceRange range, std::optional<MaterialKind> kind);
 
 } // namespace pointrt

@@ -6,7 +6,7 @@
 
 namespace pointrt {
 
-/// Adds the path through the picks to the scene and clears them. False if there are fewer than two.
+/// Adds the path through the picks to the scene and clears the picks. False if there are fewer than two picks.
 bool keepMeasurement(Workspace& work);
 
 } // namespace pointrt

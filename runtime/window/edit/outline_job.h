@@ -15,7 +15,8 @@ namespace pointrt {
 /// axis.
 std::optional<std::string> planeOption(const ClipPlane& plane);
 
-/// Runs pointrt-rays section on the scans of a scene, without its clips: NAME.dxf in their coordinates, and NAME.svg.
+/// Runs pointrt-rays section on the scans of a scene, without the clips. Writes NAME.dxf in scene coordinates, and
+/// NAME.svg.
 class OutlineJob {
 public:
     /// name: of the files without their suffixes

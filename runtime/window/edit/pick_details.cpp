@@ -14,7 +14,7 @@
 namespace pointrt {
 namespace {
 
-/// With as many digits as the attribute's type has.
+/// The number with as many digits as the attribute's type resolves.
 std::string shortText(double number, const pro_attribute& attribute) {
     constexpr int kFloatDigits = 7, kDoubleDigits = 15, kHeightDigits = 9; // heights are stored in 21 bits
     const int digits = !attribute.values                ? kHeightDigits
@@ -51,7 +51,7 @@ const Instance& pickedInstance(const DeviceScene& scene, const Pick& pick) {
                          [&](const Instance& each) { return each.number == pick.owner && each.tile == pick.tile; });
 }
 
-/// The name that users know a scan by.
+/// The name by which users know a scan.
 std::string sourceName(const SceneDescription& scene, const std::string& path) {
     const bool is_scan = scene.instances.size() == 1 && !isSceneOrSet(scene.path);
     return std::filesystem::path(is_scan ? scene.path : path).filename().string();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The path that picks make, measured.
+// Measures the path through the picked points.
 #pragma once
 
 #include <vector>

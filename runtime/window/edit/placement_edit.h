@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Edits of a scan's placement; the position of its points is in render_space.h.
+// Edits of a scan's placement. render_space.h applies placements to points.
 #pragma once
 
 #include <array>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the window keeps from one run to the next: its colours, and which parts are open.
+// Preferences that the window keeps between runs: its colours, and which sections are open.
 #pragma once
 
 #include <string>
@@ -8,11 +8,11 @@
 
 namespace pointrt {
 
-/// Reads them from the file "window" in folder. Unknown lines are ignored, such as those of other versions.
+/// Reads the preferences from the file "window" in folder. Ignores unknown lines, such as those of other versions.
 /// @param folder the user's state folder; may be empty
 void readPreferences(const std::string& folder, Workspace& work);
 
-/// Writes them; if the file cannot be written, it stays as it was.
+/// Writes the preferences. A file that cannot be written stays unchanged.
 void writePreferences(const std::string& folder, const Workspace& work);
 
 } // namespace pointrt

@@ -10,11 +10,11 @@
 
 namespace pointrt {
 
-/// The scan in its place, without properties that only pictures show: a scene file of it needs no materials.
+/// The scan with its placement but without the properties of its look, so that a scene file of it needs no materials.
 InstanceDescription bareScan(InstanceDescription scan);
 
-/// Runs a command of pointrt-rays and reports its progress if it is verbose. Throws Error with its reason, or
-/// JobCancelled.
+/// Runs a command of pointrt-rays and reports its progress if arguments make it verbose. Throws Error with the reason
+/// that pointrt-rays gives, or JobCancelled.
 /// @param tool the path of pointrt-rays
 /// @param device selects the device; empty: by default
 void runRays(const std::string& tool, const std::string& command, const std::vector<std::string>& arguments,

@@ -45,7 +45,7 @@ void addRecentFile(const std::string& folder, const std::string& path) {
     try {
         writeFile(listPath(folder), {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()});
     } catch (const Error&) {
-        return; // the list stays as it was
+        return; // the list stays unchanged
     }
 }
 

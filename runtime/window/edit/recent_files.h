@@ -11,7 +11,7 @@ namespace pointrt {
 /// @param folder userStateFolder() of user_folder.h
 std::vector<std::string> recentFiles(const std::string& folder);
 
-/// Puts path first. Does nothing if folder is "" or cannot be written, since it is only a convenience.
+/// Puts path first. Does nothing if folder is "" or cannot be written, since the list is only a convenience.
 void addRecentFile(const std::string& folder, const std::string& path);
 
 } // namespace pointrt

@@ -9,7 +9,7 @@ RequiredUpdate requiredUpdate(const DeviceScene& scene, Integrator integrator, c
                               const RenderSettings& settings) {
     if (!haveSameFiles(scene.description, description)) return {UpdateKind::kReload, {}};
     const bool moves = !haveSamePlacements(scene.description, description);
-    // colours by height must be painted again, and sets need other tiles
+    // colours by height must be recomputed, and sets need other tiles
     if (moves && (paintsScans(description, settings) || !scene.sets.empty())) return {UpdateKind::kPrograms, {}};
     const std::string sky_image = description.sky ? description.sky->image : std::string();
     if (settings.integrator != integrator || sky_image != scene.sky_image) return {UpdateKind::kPrograms, {}};

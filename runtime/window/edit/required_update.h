@@ -13,7 +13,7 @@ namespace pointrt {
 enum class UpdateKind : std::uint8_t {
     kNothing,
     kTables,     ///< tables of materials, shapes and lights: a few milliseconds
-    kPlacements, ///< tables, and the places of scans: as fast
+    kPlacements, ///< tables, and the places of scans: just as fast
     kPrograms,   ///< also shader programs, the sky's image or splat colours: needs a job
     kReload      ///< other scans: the scene must be reloaded
 };

@@ -18,14 +18,14 @@
 namespace pointrt {
 namespace {
 
-/// Removes unused materials at the end of the list, which a former room used.
+/// Removes unused materials at the end of the list, left by a former room.
 void dropUnused(SceneDescription& scene, std::size_t fewest) {
     while (scene.materials.size() > fewest &&
            !usesMaterial(scene, static_cast<std::uint32_t>(scene.materials.size() - 1)))
         scene.materials.pop_back();
 }
 
-/// A saved scene contains its surroundings: the window shows them as the choice that created them.
+/// Takes the surroundings out of a saved scene, so that the window shows the room and lamps that were chosen for it.
 void takeOutSurroundings(OpenedScene& opened) {
     const std::optional<AddedSurroundings> added = opened.file_scene.surroundings;
     if (!added) return;
@@ -113,7 +113,7 @@ bool SceneEditor::restore(const EditState* state) {
     work_.denoise = state->denoise;
     work_.target_samples = state->target_samples;
     const Surroundings& surroundings = state->surroundings;
-    if (work_.scene_up != state->scene_up) { // else the view would be tilted
+    if (work_.scene_up != state->scene_up) { // keeping the camera would tilt the view
         const Vec3 centre = 0.5 * (work_.scene_min + work_.scene_max);
         work_.camera = viewOf(surroundings.camera, centre, work_.scene_min, work_.scene_max, state->scene_up);
     }
@@ -182,7 +182,7 @@ void SceneEditor::rebuildSurroundings() {
     const bool by_rule = work_.settings.denoise == DenoiseChoice::kAuto &&
                          work_.denoise == isNoisy(work_.settings, opened_->resolved, opened_->subject);
     storeRoomLights();
-    if (work_.settings.lights != current_light_count_) // the stored lights have the old number
+    if (work_.settings.lights != current_light_count_) // the stored lights are for another number of lamps
         std::erase_if(room_lights_, [&](const RoomLights& each) { return each.room == work_.settings.room; });
     current_room_ = work_.settings.room;
     current_light_count_ = work_.settings.lights;

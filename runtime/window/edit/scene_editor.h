@@ -47,7 +47,7 @@ struct Surroundings {
     std::vector<RoomLights> room_lights;
 };
 
-/// What undo restores. Equal if what the user edits is equal.
+/// The state that undo restores. Compares only what the user edits.
 struct EditState {
     SceneDescription scene;
     RenderSettings settings;
@@ -59,15 +59,15 @@ struct EditState {
     bool operator==(const EditState& other) const;
 };
 
-/// Makes those edits that change more than one value of the workspace (panels set single values themselves), and tracks
+/// Makes the edits that change several values of the workspace (panels set single values themselves), and tracks
 /// whether the device has all edits.
 class SceneEditor {
 public:
     /// work must outlive it.
     explicit SceneEditor(Workspace& work) : work_(work) {}
 
-    /// Replaces the scene in the workspace, with its initial view and look, and forgets all edits. samples: target per
-    /// pixel. Returns the initial view.
+    /// Replaces the scene in the workspace, with its initial view and look, and clears the edit history. samples:
+    /// target per pixel. Returns the initial view.
     ViewCamera open(OpenedScene opened, std::uint32_t samples);
     bool isOpen() const { return opened_.has_value(); }
 
@@ -79,10 +79,11 @@ public:
     bool hasPendingEdits() const { return pending_edits_; }
     void clearPendingEdits() { pending_edits_ = false; }
 
-    /// Rebuilds the surroundings if the settings' room or number of lamps has changed, with the user's last lights for
-    /// that room. Lights from a scene file are used in every room.
+    /// Rebuilds the surroundings if the room or number of lamps in the settings has changed. Restores the user's last
+    /// lights for that room. Lights from a scene file are used in every room.
     void updateSurroundings();
-    /// Changes the up axis: resets the surroundings, and reframes home. aspect: of the picture, width over height.
+    /// Changes the up axis: resets the surroundings, and frames the scene again for home. aspect: of the picture, width
+    /// over height.
     void setUp(Vec3 up, ViewCamera& home, double aspect);
 
     /// Records the edits since the last call as one step to undo. Call it after updateSurroundings, while no edit is in
@@ -93,17 +94,17 @@ public:
     bool redo();
     /// Marks the current edits as saved.
     void markSaved();
-    /// Marks the scene as opened as unsaved: it is in no file that the user knows.
+    /// Marks the opened scene as unsaved, because no file of the user holds it.
     void markUnsaved() { history_.markUnsaved(); }
     bool isModified() const;
     /// Changes with each edit.
     std::uint64_t revision() const { return revision_; }
 
-    /// The same for a finer bake of the same scan. Keeps the edits, and keeps the view unless it is the former scene's
-    /// home.
+    /// As open, for a finer bake of the same scan. Keeps the edits, and the view unless it is still the former scene's
+    /// initial view.
     ViewCamera refine(OpenedScene opened, std::uint32_t samples, const ViewCamera& home);
 
-    /// Whether view shows any of the scans, judged by their sample: never false if it does.
+    /// Whether view shows any of the scans, judged by their sample with a margin: false only if it shows none.
     bool seesScans(const ViewCamera& view, ViewSize size) const;
 
 private:

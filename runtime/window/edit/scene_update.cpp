@@ -8,7 +8,7 @@
 namespace pointrt {
 namespace {
 
-/// Progress when programs are built and photons are next.
+/// Progress when the programs are built and only the photons remain.
 constexpr double kPhotonsShare = 0.6;
 
 /// Rebuilds the programs if the scene needs others.

@@ -8,10 +8,9 @@
 
 namespace pointrt {
 
-/// Brings loaded to description (with surroundings) and settings: tables, and if needed programs and photons. Needs
-/// exclusive access to loaded; pictures of it must start over. Throws Error kBadInput and changes nothing if a sky
-/// image cannot be read or description has other scans. If cancelled, the scene stays without photons
-/// until the next edit.
+/// Makes loaded match description (with surroundings) and settings: updates tables, and if needed programs and photons.
+/// Needs exclusive access to loaded; pictures of it must start over. Throws Error kBadInput and changes nothing if a
+/// sky image cannot be read or description has other scans. If cancelled, the scene has no photons until the next edit.
 void updateScene(Device& device, LoadedScene& loaded, const SceneDescription& description,
                  const RenderSettings& settings, JobControl& control);
 

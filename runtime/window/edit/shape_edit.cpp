@@ -16,7 +16,7 @@ std::string freeMaterialName(const SceneDescription& scene) {
     return "shape " + std::to_string(number);
 }
 
-/// Axes of a shape that stands upright and faces the eye; w is up, and of panes their normal.
+/// Sets the axes of a shape that stands upright and faces the eye. w is up; for panes, w is the normal.
 void orient(ShapeDescription& shape, const ShapePlace& place) {
     const double half = place.size / 2;
     const Vec3 right = normalize(cross(place.up, place.towards_eye)), front = cross(right, place.up);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Shapes put into a scene.
+// Inserting shapes into a scene.
 #pragma once
 
 #include "runtime/scene/scene_description.h"
@@ -8,12 +8,12 @@ namespace pointrt {
 
 /// Where to put a shape: upright on a surface, at a point with this outward normal.
 struct ShapePlace {
-    Vec3 point, normal, up; ///< both of unit length
+    Vec3 point, normal, up; ///< normal, up: unit length
     Vec3 towards_eye;       ///< any length, not along up: panes face it
     double size = 1;        ///< diameter, or the longest edge; above 0
 };
 
-/// The kinds that can be put into a scene. Planes cannot: they are infinite, and are floors.
+/// The kinds that can be inserted. Planes cannot: they are infinite, and serve as floors.
 inline constexpr ShapeKind kInsertedShapes[] = {ShapeKind::kSphere, ShapeKind::kBox, ShapeKind::kQuad,
                                                 ShapeKind::kDisc};
 

@@ -19,7 +19,7 @@ std::string freeViewName(const std::vector<NamedView>& views) {
     }
 }
 
-/// With the automatic choice, pictures of enough samples are not denoised, as in the window.
+/// The choice to save. With kAuto, pictures with enough samples are not denoised, as in the window.
 DenoiseChoice denoiseChoice(const Workspace& work) {
     StudioSubject subject;
     subject.only_gaussians = work.only_gaussians;

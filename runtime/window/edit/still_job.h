@@ -21,8 +21,8 @@ private:
     Job job_;
 };
 
-/// "statue-still-1.png" for statue.ply, in the current folder, with the first number that no file and no waiting still
-/// has.
+/// "statue-still-1.png" for statue.ply, in the current folder, with the first number that neither a file nor a waiting
+/// still uses.
 std::string freeStillName(const std::string& scene, const std::vector<Still>& waiting);
 
 } // namespace pointrt

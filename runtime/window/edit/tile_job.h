@@ -41,9 +41,9 @@ private:
     Job job_; ///< last, so that it ends before the others are destroyed
 };
 
-/// Chooses the cut of the next step. The candidates are the cuts for the full memory, a quarter of it, a sixteenth and
-/// so on. Takes the finest that needs at most about 64 MiB of files that are not resident; if it needs none, the next
-/// finer one. Returns true for the cut for the full memory.
+/// Chooses the cut of the next step among the cuts for all of the memory, a quarter of it, a sixteenth and so on: the
+/// finest cut that needs at most about 64 MiB of non-resident files, or if it needs none, the next finer one. Returns
+/// true if that is the cut for all of the memory.
 bool chooseNextCut(TileLoadRequest& request);
 
 } // namespace pointrt

@@ -13,7 +13,7 @@ namespace pointrt {
 
 class TurntableJob {
 public:
-    /// Renders pictures frames of scene to pattern (turntable.h) on the selected device. Creates pattern's folder.
+    /// Renders `pictures` frames of scene to pattern (turntable.h) on the selected device. Creates pattern's folder.
     /// Throws Error kBadUsage or kCannotWrite for an unusable pattern.
     /// @param follows_views the camera moves through the views of the scene, not around it
     TurntableJob(const SceneDescription& scene, const std::string& pattern, std::uint32_t pictures, bool follows_views,

@@ -10,8 +10,8 @@
 
 namespace pointrt {
 
-/// Runs pointrt-view on the scene with these options, and reports its progress. Throws Error with its reason, or
-/// JobCancelled.
+/// Runs pointrt-view on the scene with these options, and reports its progress. Throws Error with the reason that
+/// pointrt-view gives, or JobCancelled.
 /// @param device selects the device; empty: by default
 void runViewer(const SceneDescription& scene, const std::vector<std::string>& options, const std::string& device,
                JobControl& control);

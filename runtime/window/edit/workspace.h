@@ -30,7 +30,7 @@ struct PickedPoint {
     double distance = 0;                              ///< from the eye
     double radius = 0;                                ///< of the splat; 0 for shapes
     std::optional<std::array<std::uint8_t, 3>> color; ///< sRGB; none if the file has no colours
-    std::string value;                                ///< the value it is coloured by, as text; empty: none
+    std::string value;                                ///< the value that gives its colour, as text; empty: none
 };
 
 /// Statistics shown in the corner.
@@ -85,7 +85,7 @@ struct Still {
 struct Requests {
     bool scene_changed = false;    ///< lights, materials, shapes or sky were edited
     bool settings_changed = false; ///< settings were edited (integrator, bounces, room, shadows, caustics...)
-    bool look_changed = false;     ///< look or denoise: show the same light in another way
+    bool look_changed = false;     ///< look or denoise changed: the same light is shown another way
     bool dragging = false;         ///< an edit is in progress: more changes of its kind follow
     bool typing = false;           ///< a text field has the keyboard
     bool undo = false, redo = false;
@@ -102,7 +102,7 @@ struct Requests {
     std::optional<std::size_t> open_recent;             ///< index into recent_files
     std::optional<std::size_t> go_to_view, delete_view; ///< indices into scene.views
     bool find_place = false;                            ///< earth_place of the scene
-    bool add_still = false;                             ///< add it to work.stills
+    bool add_still = false;                             ///< add the displayed picture to work.stills
     bool follows_views = false;                         ///< turntable_pictures follow the views
     std::optional<std::string> bake_again;              ///< bake again with this kind of splats
     std::optional<std::size_t> save_outline;            ///< number of a clip
@@ -126,7 +126,7 @@ struct Workspace {
     /// Sections of the panel by name: whether they are open; others have their defaults.
     std::map<std::string, bool> open_sections;
     bool pin_measurement = false;
-    std::vector<PickedPoint> picks;       ///< oldest first; the last two, or all of a path with pin_measurement
+    std::vector<PickedPoint> picks;       ///< oldest first: the last two, or with pin_measurement all of a path
     MeasureUnits measure_units;           ///< of the scene that is open
     std::vector<Vec3> scan_centres;       ///< of the instances' bounds, in the coordinates of their files
     std::vector<std::string> color_words; ///< choices for settings.color_by
@@ -146,7 +146,7 @@ struct Workspace {
     bool scan_in_view = true;    ///< false: the camera looks past the scans
     bool only_gaussians = false; ///< see StudioSubject
     std::vector<Notice> notices;
-    std::string turntable_path = "turntable/%04d.png"; ///< or a video; it is beside the scene when a scene is opened
+    std::string turntable_path = "turntable/%04d.png"; ///< or a video; opening a scene puts it beside the scene
     std::optional<std::size_t> shown_view;             ///< in scene.views: the last one gone to
     std::string view_name;                             ///< for the next saved view; empty: "view N"
     std::string title;                                 ///< the file's name

@@ -9,7 +9,7 @@
 
 namespace pointrt {
 
-/// The camera after a drag or a turn of the wheel; none for other commands. size: of the window.
+/// The camera after a drag or a scroll; none for other commands. size: of the window.
 std::optional<ViewCamera> cameraAfter(const Command& command, const ViewCamera& camera, ViewSize size);
 
 /// Where an action flies the camera to; none if it is not a camera action. home: the initial camera. size: of the

@@ -51,7 +51,7 @@ std::vector<std::string> wordsOf(const std::string& text) {
     return words;
 }
 
-/// Quoted and shortened for a message.
+/// The options in text by name, each with its value.
 OptionWords optionsOf(const std::string& text) {
     if (text.size() > kMaxText) refuseCamera("too long");
     OptionWords options;
@@ -94,7 +94,7 @@ CameraRequest requestedBy(const OptionWords& options, const ViewCamera& view) {
     return request;
 }
 
-/// True if the new view is along view's up axis, where up only rolls the picture.
+/// True if the requested view is along view's up axis, where --up only rolls the picture.
 bool rollsOnly(const ViewCamera& view, const CameraRequest& request) {
     ViewCamera there = view;
     there.eye = *request.eye;

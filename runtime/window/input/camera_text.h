@@ -13,7 +13,7 @@ std::string cameraText(const ViewCamera& view);
 
 /// Applies text to view: the options above in any order, with any white space between them and after commas. --eye and
 /// --target are required; other missing options leave view unchanged. If the new direction is along view's up axis,
-/// --up rolls the picture and leaves the axis. Throws Error kBadInput "camera text: reason".
+/// --up rolls the picture but does not change the axis. Throws Error kBadInput "camera text: reason".
 ViewCamera withCameraText(const ViewCamera& view, const std::string& text);
 
 } // namespace pointrt

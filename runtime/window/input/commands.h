@@ -52,15 +52,15 @@ constexpr std::size_t kKeys = 512;         // more than the values of Key
 /// A button that is held, and what dragging it does.
 struct Drag {
     MouseButton button = MouseButton::kLeft;
-    double x = 0, y = 0; ///< position of the press, then of the last movement that was used
+    double x = 0, y = 0; ///< position of the press, then of the last movement that made a command
     bool with_shift = false;
     bool moving = false;       ///< past the threshold
     bool on_ui = false;        ///< started on a panel: ignored here
-    bool second_click = false; ///< it has centred the view already
+    bool second_click = false; ///< the press completed a double click, which has centred the view
 };
 
 struct ControlState {
-    /// Set before each event from Dear ImGui's flags. A drag belongs to where it started.
+    /// Set these from Dear ImGui's flags before each event. A drag belongs to the place where it started.
     bool ui_wants_mouse = false, ui_wants_keyboard = false;
 
     double x = 0, y = 0; ///< cursor position

@@ -63,7 +63,7 @@ enum class Gesture : std::uint8_t {
 };
 
 struct Control {
-    const char* press; ///< "": an alternative to the row above, which names both gestures
+    const char* press; ///< the gesture in words; "": an alternative to the row above, which names both gestures
     const char* group;
     const char* does;
     Gesture gesture;

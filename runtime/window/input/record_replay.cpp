@@ -12,7 +12,7 @@ double RecordReplay::now() const {
     return std::chrono::duration<double>(Clock::now() - start_).count();
 }
 
-/// Recordings count frames of kReplayFrame_s by the clock.
+/// Recordings number frames of kReplayFrame_s each, by the clock.
 void RecordReplay::recordStep(const RecordedStep& step) {
     if (recorder_) record(*recorder_, {static_cast<std::uint32_t>(now() / kReplayFrame_s + 0.5), step});
 }

@@ -27,7 +27,7 @@ public:
     const ResizeEvent& window() const { return replay_->window(); }
     /// The replay's next frame.
     ReplayFrame next(const PictureState& picture) { return replay_->next(picture); }
-    /// In a replay, waits until a scene that is being opened again is on the screen: input would have no effect before.
+    /// In a replay, waits until a scene that is being reopened is on the screen: earlier input would have no effect.
     void waitForPicture() {
         if (replay_) replay_->waitForPicture();
     }
@@ -35,7 +35,7 @@ public:
     /// Seconds since the start. In a replay it advances by kReplayFrame_s per frame, so that a recording gives the same
     /// result on every machine.
     double now() const;
-    /// Duration of a frame for animations.
+    /// Duration of a frame for animations, in seconds. passed_s: the time that has really passed.
     double frameSeconds(double passed_s) const { return replay_ ? kReplayFrame_s : passed_s; }
     /// Call it after a frame's events have been handled.
     void endFrame() { ++frame_; }

@@ -21,8 +21,7 @@ using Steps = std::vector<RecordedStep>;
 
 [[noreturn]] void refuseRecording(const std::string& reason) { throw std::invalid_argument(reason); }
 
-/// Quoted and shortened for a message.
-/// Takes the words after frame and kind, one by one.
+/// Takes a line's words after frame and kind, one by one.
 struct Arguments {
     const Words& words;
     std::size_t next;

@@ -70,8 +70,8 @@ Recording readRecording(const std::string& path);
 /// The same for the text of a file; path is for messages.
 Recording parseRecording(std::string_view text, const std::string& path);
 
-/// The first line, and the line of an event, with \n. Values out of range are clamped to the limits above. Returns ""
-/// if nothing of the event remains.
+/// The first line of a recording, and the line of an event, each with \n. Values out of range are clamped to the limits
+/// above. Returns "" if nothing of the event can be recorded.
 std::string recordingHeader(const ResizeEvent& window);
 std::string recordingLine(const RecordedEvent& event);
 
@@ -88,7 +88,7 @@ struct RecordingWriter {
 
 /// Overwrites path. Throws Error kCannotWrite "PATH: reason", as record does.
 RecordingWriter openRecording(const std::string& path, const ResizeEvent& window);
-/// Events of a frame earlier than the last recorded one are moved to that one.
+/// Moves events of frames before the last recorded one to that frame.
 void record(RecordingWriter& writer, RecordedEvent event);
 
 } // namespace pointrt

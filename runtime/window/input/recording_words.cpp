@@ -51,7 +51,7 @@ bool isPrintable(std::uint32_t code_point) {
     return code_point >= 0x20 && !(code_point >= 0x7F && code_point < 0xA0) && !breaks_lines;
 }
 
-/// The byte of the escape at text[at]; moves at behind it.
+/// The byte of the escape at text[at]; moves at past the escape.
 char unescaped(std::string_view text, std::size_t& at) {
     const char kind = at + 1 < text.size() ? text[at + 1] : '\0';
     at += 2;
@@ -70,7 +70,7 @@ char unescaped(std::string_view text, std::size_t& at) {
     throw std::invalid_argument(R"(invalid escape; strings have \\ \" \n \r \t \xHH)");
 }
 
-/// The quoted string at text[at]; moves at behind it.
+/// The quoted string at text[at]; moves at past the string.
 std::string takeString(std::string_view text, std::size_t& at) {
     std::string bytes;
     ++at;

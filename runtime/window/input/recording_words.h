@@ -19,7 +19,8 @@ std::optional<Key> keyNamed(std::string_view name);
 const char* buttonName(MouseButton button);
 std::optional<MouseButton> buttonNamed(std::string_view name);
 
-/// Removes the first UTF-8 character from bytes, which must not be empty. None, and bytes unchanged, if it is invalid.
+/// Removes the first UTF-8 character from bytes, which must not be empty. If the character is invalid, returns none and
+/// leaves bytes unchanged.
 std::optional<std::uint32_t> takeCodePoint(std::string_view& bytes);
 /// UTF-8 of a code point; U+FFFD if it is invalid.
 std::string utf8Of(std::uint32_t code_point);

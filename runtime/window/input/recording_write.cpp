@@ -21,7 +21,7 @@ std::string plain(double value, double low, double high) {
 
 const char* downOrUp(bool down) { return down ? " down " : " up "; }
 
-/// "WxH scale S". A side of 0 means minimised and becomes 0x0; least 1 prevents it.
+/// "WxH scale S". A side of 0 means minimised and becomes 0x0; least = 1 excludes that.
 std::string sizeText(const ResizeEvent& size, std::uint32_t least) {
     std::uint32_t width = std::clamp(size.width, least, kMaxWindowSide);
     std::uint32_t height = std::clamp(size.height, least, kMaxWindowSide);

@@ -16,7 +16,7 @@ ReplayFrame Replay::next(const PictureState& picture) {
         if (const auto* wait = std::get_if<WaitStep>(&step)) {
             wanted_samples_ = wait->samples;
             ++event_;
-            return frame; // later events wait, even those of this frame
+            return frame; // all later events wait, even those of the same frame
         }
     }
     ++frame_;

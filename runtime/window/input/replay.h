@@ -17,7 +17,7 @@ struct ReplayFrame {
     bool quit = false;
 };
 
-/// State of the window's picture, to wait for.
+/// The state of the window's picture that a recording can wait for.
 struct PictureState {
     std::uint32_t samples = 0; ///< per pixel
     bool grows = false;        ///< more samples follow
@@ -34,7 +34,7 @@ public:
     /// The next frame. While the recording waits for samples or for a job, frames are empty and not counted. Sets quit
     /// after the last event.
     ReplayFrame next(const PictureState& picture);
-    /// Waits as after a WaitStep for one sample, unless it already waits for more.
+    /// Waits for one sample, like a WaitStep, unless the replay already waits for more.
     void waitForPicture() { wanted_samples_ = wanted_samples_.value_or(1); }
 
 private:

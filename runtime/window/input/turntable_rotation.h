@@ -20,7 +20,7 @@ Vec3 forwardOf(const Attitude& attitude, Vec3 axis);
 /// v rotated about the unit axis, counterclockwise when the axis points at the viewer.
 Vec3 rotated(Vec3 v, Vec3 axis, double radians);
 
-/// view with its eye at this distance from pivot and the directions of attitude.
+/// view with this pivot, its eye at this distance from the pivot, and the view direction of attitude.
 ViewCamera placed(ViewCamera view, Vec3 pivot, double distance, const Attitude& attitude);
 
 } // namespace pointrt

@@ -22,7 +22,7 @@ public:
     bool moves() const { return flight_ || length(direction_) > 0; }
     bool isInFlight() const { return flight_.has_value(); }
 
-    /// The camera at now_s, seconds after it was at camera.
+    /// The camera at now_s. camera: the camera `seconds` earlier.
     ViewCamera advanced(const ViewCamera& camera, double now_s, double seconds);
 
 private:

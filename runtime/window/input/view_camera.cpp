@@ -12,7 +12,8 @@
 namespace pointrt {
 namespace {
 
-/// Closer to the poles, rounding of eye and pivot would destroy the horizontal direction. The difference is invisible.
+/// Steepest elevation: closer to the poles, rounding of eye and pivot would destroy the horizontal direction. The
+/// difference is invisible.
 constexpr double kSteepest = (90 - 0.1) * kDegree;
 /// Half of the sine at which orbiting stops: only standard views and external cameras are closer to a pole.
 const double kPoleSine = std::cos(kSteepest) / 2;
@@ -20,10 +21,11 @@ const double kPoleSine = std::cos(kSteepest) / 2;
 constexpr double kTiltSine = 1e-6;
 
 constexpr double kMinRadii = 1e-4, kMaxRadii = 1e3; // distance from the pivot
-/// Maximum distance from the scene's centre. An orthographic eye can be that far again plus a radius, within
-/// frameCamera's 1e4.
+/// Maximum distance of the pivot from the scene's centre. An orthographic eye can be as far again plus a radius, which
+/// stays within frameCamera's 1e4.
 constexpr double kReachRadii = 4e3;
-/// Relative to the coordinates: there are then 1e5 doubles between eye and pivot, for an angular resolution of 1e-5.
+/// Smallest distance relative to the coordinates: 1e5 doubles then lie between eye and pivot, for an angular resolution
+/// of 1e-5.
 constexpr double kMinOfCoordinate = 2e-11;
 
 constexpr double kStepsToHalve = 4;
@@ -48,15 +50,15 @@ double extent(const ViewCamera& view) {
     return std::max(length(view.eye - view.scene_centre), length(view.pivot - view.scene_centre));
 }
 
-/// Returns after, or before if after exceeds frameCamera's limits or is NaN. Views that start outside may stay there.
+/// Returns after; or before, if after exceeds frameCamera's limits or is NaN. Views that start outside may stay there.
 ViewCamera withinReach(const ViewCamera& before, const ViewCamera& after) {
     const double limit = std::max(extent(before), kReachRadii * before.scene_radius);
     const bool eye_within = length(after.eye - after.scene_centre) <= limit;
     return eye_within && length(after.pivot - after.scene_centre) <= limit ? after : before;
 }
 
-/// Orthographic rays start at the eye. At this distance it is outside the scene from every direction, but not beyond
-/// the walls of a room.
+/// Orthographic rays start at the eye. Moves the eye outside the scene, whatever the direction, but not beyond the
+/// walls of a room.
 ViewCamera withEyeOutside(ViewCamera view) {
     const double least = length(view.pivot - view.scene_centre) + view.scene_radius;
     const bool stands_right = std::abs(distanceToPivot(view) - least) <= kStandingShare * least;
@@ -205,7 +207,7 @@ ViewCamera panned(const ViewCamera& view, ViewSize size, double dx, double dy) {
 ViewCamera zoomed(const ViewCamera& view, ViewSize size, double steps, double x, double y) {
     if (!std::isfinite(steps)) return view;
     const double distance = perspectiveDistance(view);
-    // views outside the limits may stay but not go farther
+    // views outside the limits may stay there but not move farther out
     const double least = std::min(distance, leastDistance(view));
     const double most = std::max(distance, kMaxRadii * view.scene_radius);
     const double scale = std::clamp(distance * std::exp2(-steps / kStepsToHalve), least, most) / distance;
@@ -276,7 +278,7 @@ ViewCamera fittedView(const ViewCamera& view, ViewSize size) {
         heightAtPivot(view) < view.scene_radius || length(view.pivot - view.scene_centre) > view.scene_radius / 2;
     if (is_detail) return view;
     const ViewAxes axes = axesOf(view);
-    // the pivot's offset moves the eye sideways, so that nearer objects move further
+    // the pivot's offset moves the eye sideways, which shifts nearer objects farther in the picture
     const double aspect = size.width / size.height, offset = view.pivot_offset, slope = tangent(view) / kMargin;
     const double free_aspect = std::max(aspect - 2 * offset, 0.1);
     double height = 0, distance = leastDistance(view);

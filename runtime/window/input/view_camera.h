@@ -40,8 +40,8 @@ struct ViewPoint {
     double depth = 0; ///< from the eye along the view direction, above 0
 };
 
-/// camera in a scene with these bounds. The pivot is target if that is on the line of sight. up: of the scene or the
-/// user; replaced by camera's own if camera is rolled against it.
+/// camera as a ViewCamera in a scene with these bounds. The pivot is target if target is on the line of sight. up: of
+/// the scene or the user; replaced by camera's own up if camera is rolled relative to it.
 ViewCamera viewOf(const Camera& camera, Vec3 target, Vec3 bounds_min, Vec3 bounds_max, Vec3 up);
 
 /// The view of frameCamera(request): the initial view and Home. scene_up: used if request has no up. Throws as
@@ -62,15 +62,15 @@ Vec3 pointAtPivotDepth(const ViewCamera& view, ViewSize size, double x, double y
 /// None if point is beside or behind the eye.
 std::optional<ViewPoint> projected(const ViewCamera& view, ViewSize size, Vec3 point);
 
-/// Orbits about the pivot by a drag of (dx, dy) window units: half a turn per picture height. Stops 0.1 degrees before
-/// straight up and down.
+/// Orbits about the pivot by a drag of (dx, dy) window units: half a turn per picture height. Stops 0.1 degrees short
+/// of straight up and straight down.
 ViewCamera orbited(const ViewCamera& view, ViewSize size, double dx, double dy);
 
 /// Pans so that points at the pivot's depth follow the cursor.
 ViewCamera panned(const ViewCamera& view, ViewSize size, double dx, double dy);
 
 /// Zooms to the cursor: four steps halve the distance to the pivot (or the height of an orthographic view), and the
-/// point under the cursor at the pivot's depth stays in place. Limited to 1e-4 and 1e3 scene radii.
+/// point under the cursor at the pivot's depth stays in place. The distance stays within 1e-4 to 1e3 scene radii.
 ViewCamera zoomed(const ViewCamera& view, ViewSize size, double steps, double x, double y);
 
 /// Flies in direction (x right, y along the axis, z forward; each -1 to 1) for seconds, at the pivot's distance per
@@ -80,13 +80,14 @@ ViewCamera flown(const ViewCamera& view, Vec3 direction, double seconds);
 /// Turns the view about the eye, a quarter turn per picture height.
 ViewCamera looked(const ViewCamera& view, ViewSize size, double dx, double dy);
 
-/// Moves the pivot to point, which comes to the centre at its current size.
+/// Moves the pivot to point, which moves to the centre of the picture and keeps its size.
 ViewCamera centredOn(const ViewCamera& view, Vec3 point);
 
 /// view with another pivot_offset and the same picture.
 ViewCamera withPivotOffset(const ViewCamera& view, double pivot_offset);
 
-/// Looks at the pivot from a side. kSensor leaves the view unchanged. Front is +Z, or -Y if the up axis is along Z.
+/// Looks at the pivot from a standard side. kSensor leaves the view unchanged. Front is +Z, or -Y if the up axis is
+/// along Z.
 ViewCamera standardView(const ViewCamera& view, StandardView which);
 /// view moved back or closer until the scene fills the part of the picture that no panel covers. A view that shows less
 /// than half of the scene, or has another pivot, shows a detail and stays unchanged.

@@ -19,7 +19,7 @@ Attitude mixedAttitude(const Attitude& from, const Attitude& to, Vec3 axis, doub
     return {rotated(from.right, axis, angle * share), mixed(from.elevation, to.elevation, share)};
 }
 
-/// from, with to's axis and projection.
+/// flight.from with the axis and projection of flight.to.
 ViewCamera departure(const ViewFlight& flight) {
     const bool same_projection = (flight.from.ortho_height > 0) == (flight.to.ortho_height > 0);
     ViewCamera from = same_projection ? flight.from : orthoToggled(flight.from);

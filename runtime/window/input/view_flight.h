@@ -14,8 +14,9 @@ struct ViewFlight {
 
 constexpr double kFlight_s = 0.3;
 
-/// The view at time_s: level throughout, eased at both ends, and exactly `to` from kFlight_s after the start. Has the
-/// axis and projection of `to` from the beginning; if the projection changes, objects at the pivot keep their size.
+/// The view at time_s: level throughout, eased at both ends, and exactly `to` once kFlight_s has passed since the
+/// start. Has the axis and projection of `to` from the beginning; if the projection changes, objects at the pivot keep
+/// their size.
 ViewCamera viewAt(const ViewFlight& flight, double time_s);
 bool isFinished(const ViewFlight& flight, double time_s);
 

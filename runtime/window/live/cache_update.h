@@ -26,7 +26,7 @@ struct SampleBlending {
     bool camera_moves = false; ///< view-dependent colours are replaced, not averaged
 };
 
-/// Each pixel at most once.
+/// Inserts traced samples, each pixel at most once.
 void insertSamples(RenderCache& cache, ErrorMap& errors, const ViewProjection& view, const SampleBlending& blending,
                    std::span<const TracedPixel> traced);
 

@@ -53,10 +53,10 @@ struct DeviceCache {
     Buffer nearest, seen, shown, new_points, new_depths; ///< by pixel
     Buffer tiles, tile_means, errors, recorded;          ///< by tile
     Buffer priorities, row_sums;                         ///< of considered pixels, and by row of tiles
-    GpuTimer timer; ///< times each frame in flight: up to the traced pixels, and after them
+    GpuTimer timer; ///< times each frame in flight: before and after the pixels are traced
 };
 
-/// pixels: the window's, in which frame's film and first hits are displayed. All must outlive the cache.
+/// pixels: the window's, which display frame's film and first hits. All arguments must outlive the cache.
 DeviceCache createDeviceCache(Device& device, PixelSize size, const FrameBuffers& frame, const Buffer& pixels);
 /// Binds the film after it has been reallocated.
 void bindDeviceCache(Device& device, DeviceCache& cache, const FrameBuffers& frame, const Buffer& pixels);

@@ -33,11 +33,11 @@ public:
 private:
     /// A frame that the device may still be working on.
     struct FrameInFlight {
-        std::optional<PassesInFlight> passes; ///< none: they have been traced already
+        std::optional<PassesInFlight> passes; ///< none: the pixels have been traced already
         std::uint64_t submission = 0;
         std::uint32_t place = 0; ///< where its counters and times are
         std::uint32_t traced = 0;
-        double traced_s = 0; ///< seconds, if traced already
+        double traced_s = 0; ///< seconds that tracing took, if already known
     };
 
     gpu::ReprojectionParams paramsFor(const ReprojectionView& view) const;

@@ -13,7 +13,7 @@
 
 namespace pointrt {
 
-/// Which layer of the film to show (SHOWN_* of runtime/image/film_views.h), and how.
+/// The layer of the film to show (SHOWN_* of runtime/image/film_views.h), and how to show it.
 struct Look {
     std::uint32_t shown = SHOWN_BEAUTY;
     float exposure = 0;                ///< stops

@@ -146,9 +146,9 @@ private:
     std::vector<std::uint32_t> colors_;
 };
 
-/// Distances in pixels at which to look for background around a hole: within a frame, a disocclusion is seldom wider
-/// than twice the larger of them. In tiles with points in fewer than an eighth of their pixels, holes get the mean
-/// colours of tiles, since neighbours are rare.
+/// Distances in pixels at which to look for background around a hole: in one frame, a disocclusion seldom becomes wider
+/// than twice the larger one. If a tile has points in fewer than an eighth of its pixels, its holes get the mean
+/// colours of tiles instead, since neighbours are rare.
 constexpr std::array<std::uint32_t, 2> kFarRings{3, 7};
 constexpr std::uint32_t kMinPointsInTile = TILE_PIXELS / 8;
 
@@ -191,7 +191,7 @@ struct ResampledPoint {
     std::uint32_t info = 0;
 };
 
-/// None if the pixel is neither on a surface nor in a gap in one.
+/// The pixel's own point, or an interpolated one in a gap within a surface; none for other pixels.
 std::optional<ResampledPoint> resampled(const RenderCache& cache, const NeighborSampler& neighbors,
                                         std::uint32_t pixel) {
     const PixelKey key = cache.keys()[pixel];

@@ -7,7 +7,7 @@
 namespace pointrt {
 
 /// Gives each empty pixel a colour: the mean of its farthest neighbours, since disocclusions reveal background. Gaps
-/// within one surface get that surface's colour, and pixels far from all points the mean of the tiles around. The
+/// within one surface get that surface's colour, and pixels far from all points the mean of the surrounding tiles. The
 /// pixels still count as empty. Returns the number of gaps within a surface.
 std::uint32_t fillHoles(RenderCache& cache);
 

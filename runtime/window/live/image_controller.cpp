@@ -48,7 +48,7 @@ std::optional<PickResult> ImageController::update(const ImageRequest& request) {
         const ViewChange scene = pending_restart_.value_or(ViewChange::kCamera);
         shown_ = request.view;
         shown_->settings.first_hits = true;
-        // a preview of the former picture would show things that are gone
+        // after kAll, a preview reprojected from the former picture would show things that are gone
         live_->setView(*shown_, scene != ViewChange::kAll, scene);
         pending_restart_.reset();
     } else if (change == ImageChange::kLook) {
@@ -58,7 +58,7 @@ std::optional<PickResult> ImageController::update(const ImageRequest& request) {
     return findPick();
 }
 
-/// On a CPU device, the cores also have the host's own work for each frame.
+/// On a CPU device, the cores also do the host's own work for each frame.
 void ImageController::setBudget(std::optional<double> display_hz) {
     const bool is_cpu = device_->type == VK_PHYSICAL_DEVICE_TYPE_CPU;
     preview_budget_s_ =

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Decides when the window's picture starts over, and takes picks and films from it.
+// Decides when the window's picture starts over, and provides picks and films of the picture.
 #pragma once
 
 #include <cstdint>
@@ -18,7 +18,7 @@ struct ImageRequest {
     std::optional<double> display_hz; ///< see PreviewBudget
 };
 
-/// How the current picture is affected.
+/// What a request changes about the current picture.
 enum class ImageChange : std::uint8_t { kNone, kLook, kStartOver };
 
 /// shown: the view of the current picture. restart: the scene has changed.
@@ -58,8 +58,8 @@ public:
     void skipFrame() { moved_ = false; }
     /// Whether the last update started the picture over.
     bool moved() const { return moved_; }
-    /// Works for a frame's time. Returns false if there is nothing to do or the picture is paused. When paused, it
-    /// still completes what the user waits for: the first picture, a picture to save, or a slice before a pick.
+    /// Works for a frame's time. Returns false if there is nothing to do or the picture is paused. When paused, still
+    /// completes what the user waits for: the first picture, a picture to save, or a slice before a pick.
     bool work();
     bool mayWork() const;
 

@@ -28,7 +28,7 @@ std::vector<std::uint32_t> pixelsOfRows(PixelSize size, const RowRange& rows);
 /// Uploads x | y << 16 of each pixel, padded to complete rows.
 void uploadPixelList(Device& device, BandTracer& tracer, PixelSize size, std::span<const std::uint32_t> numbers);
 
-/// Traces the first hits of the first count listed pixels, which are stored behind those of the full frame.
+/// Traces the first hits of the first count listed pixels, and stores these after the first hits of the full frame.
 /// @param then records commands to run in the same submission
 void traceFirstHits(Device& device, BandTracer& tracer, const ReprojectionView& view, std::uint32_t count,
                     const std::function<void(VkCommandBuffer)>& then = {});

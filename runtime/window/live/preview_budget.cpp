@@ -15,7 +15,7 @@ constexpr double kRounding = 0.1;
 /// Share of the picture that must be traced within one refresh: every other pixel in each direction, from which
 /// reprojection makes a sharp picture.
 constexpr double kEnough = 0.25;
-/// To switch to frames of one refresh, that share must fit in this part of the time, so that the rate does not flicker.
+/// To switch to frames of one refresh, kEnough must fit in this part of the time, so that the rate does not fluctuate.
 constexpr double kSpare = 0.75;
 
 } // namespace

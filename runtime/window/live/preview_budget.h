@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The time that a frame has for tracing while the view moves, from the rate of the display.
+// The time to trace in a frame while the view moves, from the refresh rate of the display.
 #pragma once
 
 #include <optional>

@@ -14,19 +14,19 @@
 namespace pointrt {
 namespace {
 
-/// A neighbouring pixel whose depth is smaller by more than this factor occludes a point. Floors seen at a grazing
-/// angle stay below it.
+/// A neighbouring pixel whose depth is smaller by more than this factor occludes a point. On floors seen at a grazing
+/// angle, neighbours differ by less.
 constexpr float kOccludedDepthRatio = 1.02f;
 /// Next to a straight edge of an occluder, nearer points lie in at most this many of the 8 directions or octants.
 constexpr int kMostNearer = 5;
-/// Distance in pixels to which nearer points are searched if points are sparse; at most TILE_SIDE.
+/// Distance in pixels within which to search for nearer points if points are sparse; at most TILE_SIDE.
 constexpr std::int32_t kSparseReach = 6;
-/// Points are sparse if there is at most one per this many pixels. Denser points are not searched, which would take
+/// Points are sparse if there is at most one per this many pixels. Where they are denser, a search would take too much
 /// time.
 constexpr std::size_t kSparsePixels = 4;
 /// Points traced before the light changed count as at least this many frames old.
 constexpr std::uint32_t kStaleLightAge = 64;
-/// Points per task of a thread; and points projected together, with SIMD.
+/// Points per thread task, and points projected together with SIMD.
 constexpr std::size_t kChunk = 1u << 14, kSideBySide = 64;
 
 /// Lowers target to key atomically. The result does not depend on the order of the threads.
@@ -137,7 +137,7 @@ bool RenderCache::isAmongNearerPoints(std::uint32_t x, std::uint32_t y, float de
     std::uint32_t octants = 0;
     const auto look = [&](std::int32_t along_x, std::int32_t along_y) {
         const std::uint32_t at_x = x + static_cast<std::uint32_t>(along_x);
-        // beyond the upper edge it wraps to a large number
+        // beyond the upper edge, the coordinate wraps to a large number
         const std::uint32_t at_y = y + static_cast<std::uint32_t>(along_y);
         if (at_x >= size_.width || at_y >= size_.height) return;
         if (!(depthOf(keys_[at_y * size_.width + at_x]) * kOccludedDepthRatio < depth)) return;

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // A render cache (Walter, Drettakis, Parker, Interactive Rendering using the Render Cache, 1999): coloured points of
-// earlier frames, reprojected into each new view with a depth test. Points are never resampled on the screen: each
-// keeps its position and colour until it is traced again, visible or not, so a long movement does not blur the picture.
+// earlier frames, reprojected into each new view with a depth test. While the view moves, points are not resampled on
+// the screen: each keeps its position and colour until it is traced again, visible or not, so a long movement does not
+// blur the picture.
 //
-// This cache lives on the host: CPU devices would take three times as long to do this on the device. GPUs have their
-// own cache (device_cache.h).
+// This cache is on the host: a CPU device would take three times as long for the same work. GPUs have their own cache
+// (device_cache.h).
 #pragma once
 
 #include <algorithm>
@@ -91,7 +92,7 @@ public:
     const std::vector<TileColorSum>& tileColors() const { return tile_colors_; }
     std::uint32_t tilesAcross() const { return (size_.width + TILE_SIDE - 1) / TILE_SIDE; }
     std::uint32_t tilesDown() const { return (size_.height + TILE_SIDE - 1) / TILE_SIDE; }
-    /// Whether a tile or one of its eight neighbours, by number, satisfies a condition.
+    /// Whether the number of a tile, or of one of its eight neighbours, satisfies a condition.
     template <typename Condition>
     bool anyTileAround(std::uint32_t tile_x, std::uint32_t tile_y, const Condition& condition) const {
         for (std::uint32_t y = tile_y - std::min(tile_y, 1u); y <= std::min(tile_y + 1, tilesDown() - 1); ++y)

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Rendering while the view moves, on devices that cannot trace a full frame in time: the last frame is reprojected, and
-// the frame's time goes to pixels that are disoccluded, wrong or old.
+// the time is spent on tracing pixels that are disoccluded, wrong or old.
 #pragma once
 
 #include <cstdint>
@@ -25,9 +25,9 @@ struct ReprojectionView {
 /// Extra pixels in the device's film and first hits, beyond the full frame's, that hold the pixels traced in one frame.
 constexpr std::uint32_t kMaxListedPixels = 1u << 16;
 
-/// Points in the cache per four pixels: the visible ones, and some that are hidden or outside the frame.
+/// Points in the cache for every four pixels: the visible ones, and some that are hidden or outside the frame.
 constexpr std::uint32_t kPointsOf4 = 5;
-/// If gaps are more than this share of the pixels, points are resampled, one per pixel, since filling the gaps would
+/// If more than this share of the pixels are gaps, points are resampled, one per pixel, since filling the gaps would
 /// take too long. With one randomly placed point per pixel on average, a sixth of the pixels are empty; after zooming
 /// in by a tenth, a fifth.
 constexpr double kMaxGapShare = 0.2;
@@ -49,8 +49,8 @@ public:
 
     /// Discards all points: the scene or the look has changed.
     virtual void clear() = 0;
-    /// Call it after lights, materials or shapes have changed: removes points on moved shapes and makes all colours
-    /// old.
+    /// Call it after lights, materials or shapes have changed: marks all colours as old; if shapes have changed,
+    /// removes the points on shapes.
     virtual void invalidateLighting() = 0;
     /// Takes the colours from the window's pixels, which hold a full picture of the last view.
     virtual void readBackColors() = 0;
@@ -65,7 +65,7 @@ public:
     /// complete. The film is kept.
     virtual bool fillCache(const ReprojectionView& view) = 0;
     virtual bool isFilled() const = 0;
-    /// Whether the cache holds the picture of that camera.
+    /// Whether the cache holds the picture of this camera.
     virtual bool isValidFor(const Camera& camera) const = 0;
 
     /// Blends the pixels [first, first + count) over the reprojected picture with weight share.
@@ -78,8 +78,8 @@ public:
 };
 
 /// Creates a reprojector on the device if that is a GPU; on a CPU device, which uses the same cores, the host is
-/// faster. tracer and pixels must outlive it. tracer's film has room for size plus kMaxListedPixels. pixels receives
-/// the picture, 0xAARRGGBB each.
+/// faster. tracer and pixels must outlive the reprojector. tracer's film has room for size plus kMaxListedPixels.
+/// pixels receives the picture, 0xAARRGGBB each.
 std::unique_ptr<Reprojector> createReprojector(Device& device, BandTracer& tracer, Buffer& pixels, PixelSize size);
 
 } // namespace pointrt

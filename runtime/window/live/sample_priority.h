@@ -18,7 +18,7 @@ struct SelectionParams {
     std::uint32_t count = 0;   ///< pixels to select, on average
 };
 
-/// Where traced colours differed from the reprojected ones, by tile.
+/// How far traced colours differed from the reprojected ones, by tile.
 class ErrorMap {
 public:
     explicit ErrorMap(PixelSize size);

@@ -13,7 +13,7 @@ namespace {
 constexpr double kSlowdownWeight = 0.6, kSpeedupWeight = 0.3;
 /// Resolutions are divided by powers of the fourth root of 2: two steps halve the area.
 constexpr double kSizeStep = 1.189207115002721;
-/// Limit of the reduction: coarser pictures are useless, however slow the tracer.
+/// Largest reduction: coarser pictures are useless, however slow the tracer.
 constexpr double kMaxDivisor = 16;
 /// Fewest pixels to trace per frame: with fewer, the picture would hardly change.
 constexpr double kMinPixels = 512;

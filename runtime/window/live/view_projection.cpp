@@ -4,7 +4,7 @@
 namespace pointrt {
 namespace {
 
-/// The affine function that gives the distance from the point from along direction, times scale.
+/// The row of an affine map: the distance along direction, measured from the point `from`, times scale.
 gpu::vec4 affineRow(gpu::vec3 direction, float scale, gpu::vec3 from) {
     const gpu::vec3 d{direction.x * scale, direction.y * scale, direction.z * scale};
     return {d.x, d.y, d.z, -(d.x * from.x + d.y * from.y + d.z * from.z)};

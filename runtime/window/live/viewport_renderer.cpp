@@ -24,14 +24,14 @@ constexpr double kMin_s = 0.002;
 constexpr double kPlanned = 0.8;
 /// Time to upscale a preview, which a reprojected frame does not need.
 constexpr double kUpscale_s = 0.002;
-/// Maximum disoccluded share of a reprojected frame. Beyond it, tracing does not keep up and a coarse preview shows
-/// more. But if the preview had less than one pixel per tile of the film, points are still accumulated from frame to
-/// frame.
+/// Maximum disoccluded share of a reprojected frame. Beyond it, tracing does not keep up, and a coarse preview shows
+/// more. But if the preview would have less than one pixel per tile of the film, points are still accumulated from
+/// frame to frame.
 constexpr double kMaxNewShare = 0.35;
 /// With this many samples, the film is clean and shown without blending.
 constexpr std::uint32_t kCleanBlendSamples = kCleanSamples;
-/// Weight of each sample in the blend from the reprojected picture to the film: first samples are right but noisy, the
-/// reprojected picture is smooth.
+/// Weight of each sample in the blend from the reprojected picture to the film: the first samples are right but noisy,
+/// while the reprojected picture is smooth.
 constexpr float kBlendPerSample = 0.4f;
 
 double since(std::chrono::steady_clock::time_point start) {
@@ -221,7 +221,7 @@ void ViewportRenderer::beginFilm() {
 
 /// Chooses the stage after a completed one.
 void ViewportRenderer::next() {
-    if (stage_ == Stage::kInteractive) return; // work() leaves it when the view rests
+    if (stage_ == Stage::kInteractive) return; // work() leaves this stage when the view rests
     if (stage_ == Stage::kCoarse) return begin(Stage::kRefine);
     if (stage_ == Stage::kRefine && needsCacheFill()) return begin(Stage::kFillCache);
     if (stage_ == Stage::kRefine && denoisesNow()) return begin(Stage::kDenoising);
@@ -376,7 +376,7 @@ void ViewportRenderer::reportRows(std::uint32_t first_row, std::uint32_t rows, s
     updates_.push_back({size_, first_row, rows});
 }
 
-/// Weight of the film in the blend with the reprojected picture, which avoids a jump.
+/// Weight of the film in the blend with the reprojected picture, for a smooth transition.
 float ViewportRenderer::shareShown(std::uint32_t samples) const {
     const bool mixes = stage_ == Stage::kRefine && reprojection_current_ && mostly_reused_ &&
                        samples < std::min(kCleanBlendSamples, view_.settings.spp);

@@ -59,7 +59,7 @@ public:
     ViewportRenderer(const ViewportRenderer&) = delete;
     ViewportRenderer& operator=(const ViewportRenderer&) = delete;
 
-    /// Starts over. moving: more changes are expected soon, so show a preview first. change: what has changed, which
+    /// Starts over. moving: more changes are expected soon, so shows a preview first. change: what has changed, which
     /// limits what can be reprojected.
     void setView(const Viewport& view, bool moving, ViewChange change = ViewChange::kCamera);
     /// Shows the same light in another way. Traces again only if the film lacks a needed layer.
@@ -154,9 +154,9 @@ private:
     PixelSize full_, size_, preview_size_;
     TraceSpeed preview_speed_, refine_speed_;
     std::uint32_t denoised_samples_ = 0; ///< in the denoised picture; 0: none for this view
-    bool denoise_due_ = false;           ///< denoise after the next sample, whatever its number
+    bool denoise_due_ = false;           ///< denoise after the next sample, regardless of its number
     std::uint32_t denoise_step_ = 0;
-    double planned_s_ = 0; ///< predicted time of the slices that this call of work has left to the device
+    double planned_s_ = 0; ///< predicted time of the slices that this call of work has submitted to the device
     std::uint64_t rays_ = 0;
     double traced_seconds_ = 0;
     std::vector<PictureUpdate> updates_;

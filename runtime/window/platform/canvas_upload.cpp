@@ -23,7 +23,7 @@ void upscaleOnHost(Device& device, Presenter& presenter, VkCommandBuffer command
         destroyBuffer(device, presenter.host_upscaled);
         presenter.host_upscaled = createBuffer(device, "upscaled picture", bytes, 0, MemoryHome::kUpload);
     }
-    waitForSubmitted(device); // the last frame may still be reading it
+    waitForSubmitted(device); // the last frame may still be reading the buffer
     upscale(static_cast<const std::uint32_t*>(pixels.mapped), size,
             static_cast<std::uint32_t*>(presenter.host_upscaled.mapped), {canvas.width, canvas.height});
     recordUploadRows(commands, presenter, presenter.host_upscaled, 0, canvas.height);

@@ -51,8 +51,8 @@ void recordBlit(VkCommandBuffer commands, const Image& from, VkExtent2D part, Vk
 
 void recordCanvas(VkCommandBuffer commands, const Image& canvas, const FrameTarget& target) {
     recordBarrier(commands);
-    // wait for the target's last use: as an attachment, or through the acquire semaphore, which is waited for at
-    // transfers
+    // wait for the target's last use: as an attachment, or until the acquire semaphore, whose wait stage is transfer,
+    // is signalled
     const ImageUse last{kColorAttachment.stages | kTransferDst.stages, kColorAttachment.access | kTransferDst.access,
                         kColorAttachment.layout};
     recordImageBarrier(commands, target.image, discarded(last), kTransferDst);

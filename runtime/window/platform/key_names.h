@@ -6,8 +6,8 @@
 
 namespace pointrt {
 
-/// key: GLFW's code; name: from the keyboard layout, null if it has none. Letters follow the layout, so that Ctrl+C is
-/// where the user expects it; keys of the keypad are digits.
+/// key: GLFW's code; name: the key's name in the keyboard layout, null if there is none. Letters follow the layout, so
+/// that Ctrl+C is where the user expects it; keys of the keypad are digits.
 Key keyFromGlfw(int key, const char* name);
 
 } // namespace pointrt

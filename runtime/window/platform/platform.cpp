@@ -26,7 +26,7 @@ PlatformInbox& inboxOf(GLFWwindow* window) {
     return *static_cast<PlatformInbox*>(glfw().glfwGetWindowUserPointer(window));
 }
 
-/// Appends event, replacing a last event that it supersedes.
+/// Appends event; if the last event is superseded by it, replaces that one.
 template <typename Event>
 void push(GLFWwindow* window, Event event) {
     constexpr bool kOvertakes = std::is_same_v<Event, CursorEvent> || std::is_same_v<Event, ResizeEvent>;

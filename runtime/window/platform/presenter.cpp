@@ -33,7 +33,7 @@ VkFormat frameFormat(const Presenter& presenter) {
 /// Creates everything that depends on the window's size. The new canvas shows old scaled, or black without old.
 void createCanvas(Device& device, Presenter& presenter, VkExtent2D extent, const Image* old) {
     presenter.canvas = createImage(device, "canvas", kCanvasFormat, extent, 0);
-    // one more pixel each way, for interpolation at the edge
+    // an extra row and column, for interpolation at the edge
     presenter.low_res = createImage(device, "preview image", kCanvasFormat, {extent.width + 1, extent.height + 1}, 0);
     presenter.target =
         createImage(device, "frame", frameFormat(presenter), extent, VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT);
@@ -75,7 +75,7 @@ void rebuild(Device& device, Presenter& presenter) {
     presenter.outdated = false;
 }
 
-/// The next swapchain image, rebuilt if needed; none if the window shows nothing.
+/// The next image of the swapchain, which is rebuilt if needed; none if the window shows nothing.
 std::optional<std::uint32_t> nextImage(Device& device, Presenter& presenter) {
     // tries again if the window's size changes between the two calls
     for (int attempt = 0; attempt < 2; ++attempt) {

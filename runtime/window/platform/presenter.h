@@ -18,8 +18,8 @@ struct ImDrawData;
 
 namespace pointrt {
 
-/// For use by one thread. Pixels are packed BGRA8, 0xAARRGGBB each, rows from the top, sRGB-encoded, which windows
-/// display without conversion.
+/// For use by one thread. Pixels are packed BGRA8, 0xAARRGGBB each, rows from the top, sRGB-encoded, so that windows
+/// display them without conversion.
 struct Presenter {
     VkSurfaceKHR surface = VK_NULL_HANDLE; ///< owned; null when headless
     Swapchain swapchain;
@@ -35,9 +35,9 @@ struct Presenter {
     std::uint32_t frame = 0;                             ///< index of the next frame
 };
 
-/// For a window's surface, or headless without one. Owns the surface, even if this throws. The canvas is black, width x
-/// height pixels, at least 1 x 1. device was requested with graphics and, for a surface, the window's extensions.
-/// Throws Error kCannotRun.
+/// For a window's surface, or headless if surface is null. Takes ownership of the surface, even if this throws. The
+/// canvas is black, width x height pixels, at least 1 x 1. device was requested with graphics and, for a surface, the
+/// window's extensions. Throws Error kCannotRun.
 Presenter createPresenter(Device& device, VkSurfaceKHR surface, std::uint32_t width, std::uint32_t height);
 void destroyPresenter(Device& device, Presenter& presenter);
 
@@ -55,14 +55,15 @@ void recordUploadRows(VkCommandBuffer commands, const Presenter& presenter, cons
 void recordUploadScaled(VkCommandBuffer commands, const Presenter& presenter, const Buffer& pixels, std::uint32_t width,
                         std::uint32_t height);
 
-/// The same; CPU devices scale on the host at once, in a third of the time. Writes to pixels must have finished there.
+/// The same, but with a CPU device the host scales at once, in a third of the time; writes to pixels must then have
+/// finished.
 void recordUploadPreview(Device& device, VkCommandBuffer commands, Presenter& presenter, const Buffer& pixels,
                          std::uint32_t width, std::uint32_t height);
 
-/// Presents the canvas with ui on top (null: none) and returns without waiting for the device; waits for the frame
-/// kFramesInFlight before. If the window's size has just changed, the canvas is scaled. Returns false if nothing can be
-/// shown: minimised or hidden. Throws Error kCannotRun (surface or device lost).
-/// @param uploads records commands that update the canvas, in the same submission; they run in any case
+/// Presents the canvas with ui on top (null: none) and returns without waiting for the device, except for the frame
+/// kFramesInFlight earlier. If the window's size has just changed, scales the canvas. Returns false if nothing can be
+/// shown because the window is minimised or hidden. Throws Error kCannotRun (surface or device lost).
+/// @param uploads records commands that update the canvas, in the same submission; they run even if nothing is shown
 bool present(Device& device, Presenter& presenter, const ImDrawData* ui,
              const std::function<void(VkCommandBuffer)>& uploads = {});
 

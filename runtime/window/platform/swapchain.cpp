@@ -16,7 +16,7 @@ namespace {
 constexpr std::uint64_t kAcquireNanoseconds = 100'000'000;
 constexpr VkImageUsageFlags kUsage = VK_IMAGE_USAGE_TRANSFER_DST_BIT | VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT;
 
-/// check, with a message of its own for lost surfaces.
+/// Like check, but with a separate message for lost surfaces.
 void checkWindow(VkResult result, const char* what) {
     if (result == VK_ERROR_SURFACE_LOST_KHR)
         throw Error{ExitCode::kCannotRun, "the display connection was lost (VK_ERROR_SURFACE_LOST_KHR)"};

@@ -11,7 +11,7 @@
 
 namespace pointrt {
 
-/// handle is null while the window has no pixels (minimised).
+/// handle is null while the window is minimised and so has no pixels.
 struct Swapchain {
     VkSurfaceKHR surface = VK_NULL_HANDLE; ///< not owned
     VkSwapchainKHR handle = VK_NULL_HANDLE;
@@ -20,7 +20,7 @@ struct Swapchain {
     VkPresentModeKHR present_mode = VK_PRESENT_MODE_FIFO_KHR;
     std::vector<VkImage> images;
     std::vector<VkImageView> views;
-    std::vector<VkSemaphore> drawn;                      ///< one per image, signalled when it may be presented
+    std::vector<VkSemaphore> drawn;                      ///< one per image, signalled when the image may be presented
     std::array<VkSemaphore, kFramesInFlight> acquired{}; ///< one per frame
 };
 
@@ -40,7 +40,7 @@ std::optional<std::uint32_t> acquireImage(Device& device, const Swapchain& swapc
                                           bool& outdated);
 
 /// Presents image once drawn[image] is signalled. Returns false if the swapchain should be rebuilt. Throws as
-/// acquireImage.
+/// acquireImage does.
 bool presentImage(Device& device, const Swapchain& swapchain, std::uint32_t image);
 
 } // namespace pointrt

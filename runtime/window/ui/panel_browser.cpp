@@ -30,7 +30,7 @@ void drawEntry(Workspace& w, FileBrowser& browser, FileBrowser::Entry& entry) {
     const std::string path = (std::filesystem::path(browser.folder) / entry.name).string();
     const bool is_second = ImGui::IsMouseDoubleClicked(0);
     if (entry.is_folder) {
-        // the first click of a double click listed the folder's entries, so the second one falls on one of them
+        // the first click of a double click has opened a folder, so the second would fall on one of its entries
         if (!is_second) w.requests.browse = path;
     } else if (is_second && entry.chosen)
         w.requests.open_files = {path};

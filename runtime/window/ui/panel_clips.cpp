@@ -80,7 +80,7 @@ void drawClipButtons(Workspace& w) {
     ImGui::EndDisabled();
 }
 
-/// Six sliders, from a tenth of the scan below it to as much above.
+/// Six sliders. They reach beyond the scan by a tenth of its size at both ends.
 void drawBoxSides(Workspace& w, ClipBox& box) {
     constexpr const char* kNames[3][2] = {{"X from", "X to"}, {"Y from", "Y to"}, {"Z from", "Z to"}};
     const double size = sceneSize(w);

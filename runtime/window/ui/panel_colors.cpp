@@ -30,7 +30,7 @@ void drawAttributeChoice(Workspace& w) {
     int chosen = current == w.color_words.end() ? -1 : static_cast<int>(current - w.color_words.begin());
     if (!noteColors(w, comboRow("Colour by", chosen, words, "rgb: the scan's own colours"))) return;
     w.settings.color_by = w.color_words[static_cast<std::size_t>(chosen)];
-    w.settings.color_map.reset(); // they were chosen for other values
+    w.settings.color_map.reset(); // map and range were chosen for other values
     w.settings.color_range.reset();
 }
 

@@ -11,7 +11,7 @@ namespace pointrt {
 /// What was edited, as bits.
 enum class Edit : std::uint8_t { kScene = 1, kSettings = 2, kLook = 4 };
 
-/// Call it after a widget or a group of them: if it changed, requests the update for its edit. Returns changed.
+/// Call it after a widget or a group of widgets. If changed, requests the update for this edit. Returns changed.
 bool reportEdit(Requests& requests, Edit edit, bool changed);
 
 /// The same for edits of the scene.
@@ -22,7 +22,7 @@ inline bool reportSceneEdit(Workspace& w, bool changed) { return reportEdit(w.re
 void endEdits(Requests& requests);
 
 /// Values of the panel's own state (selection, the sun's date), stored in ImGui under a name. The reference is valid
-/// until the next call. Call outside other ids.
+/// until the next call. Call it outside other ids.
 int& storedInt(const char* name, int fallback);
 float& storedFloat(const char* name, float fallback);
 

@@ -20,7 +20,7 @@ namespace {
 /// Height of a histogram in lines of text.
 constexpr float kHistogramLines = 3;
 
-/// The attributes to filter by: those to colour by that are numbers.
+/// The attributes to filter by: the numeric ones of the attributes to colour by.
 std::vector<std::string> filterWords(const Workspace& w) {
     std::vector<std::string> words;
     std::copy_if(w.color_words.begin(), w.color_words.end(), std::back_inserter(words),
@@ -58,8 +58,7 @@ void drawValues(Workspace& w, SplatSelection& selection, const std::vector<doubl
         std::vector<ValueRange> ranges;
         for (const double each : values)
             if (each == value ? shown : selects(selection, each)) ranges.push_back({each, each});
-        // if no range is left, a range with a value that no point has hides everything; a filter without ranges would
-        // be incomplete
+        // a filter without ranges would hide nothing: if none is left, a value that no point has hides everything
         if (ranges.empty()) ranges.push_back({values.back() + 1, values.back() + 1});
         selection.ranges = std::move(ranges);
     }

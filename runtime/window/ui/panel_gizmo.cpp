@@ -35,9 +35,9 @@ constexpr double kArrowShare = 0.12;
 constexpr double kArcRadius = 0.75;
 /// Chords of an arc of a quarter turn: enough to look round at any size on a screen.
 constexpr int kArcChords = 16;
-/// Radius of a handle in window units; a finger's width is twice as much.
+/// Radius of a handle in window units: the handle is as wide as a finger.
 constexpr float kHandleRadius = 9;
-/// An axis seen nearly from its end cannot be dragged along: the smallest length of its arrow, in window units.
+/// Smallest length of an arrow in window units: an axis seen nearly end-on cannot be dragged along.
 constexpr float kShortestArrow = 12;
 
 float lengthOf(ImVec2 v) { return std::sqrt(v.x * v.x + v.y * v.y); }
@@ -50,12 +50,12 @@ double arrowLength(const Workspace& w, Vec3 at) {
     return kArrowShare * height;
 }
 
-/// A handle that captures the mouse. Returns how far it is dragged in this frame, and reports that as an edit of the
-/// scene.
+/// How far a handle was dragged in this frame, in window units, and whether the mouse holds it.
 struct HandleDrag {
     ImVec2 by;
     bool held;
 };
+/// Draws a handle that captures the mouse. Reports a drag as an edit of the scene.
 HandleDrag dragHandle(Workspace& w, const char* id, ImVec2 at, float radius) {
     ImGui::SetNextWindowPos(ImVec2(at.x - radius, at.y - radius));
     ImGui::SetNextWindowSize(ImVec2(2 * radius, 2 * radius));

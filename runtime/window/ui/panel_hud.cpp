@@ -31,7 +31,7 @@ void drawSamples(const Workspace& w) {
     ImGui::ProgressBar(sampleShare(w.hud), ImVec2(-1, kHudBarHeight * uiScale()), "");
 }
 
-/// Device names are long, and their ends matter least.
+/// Device names are long; their ends, which matter least, are cut off.
 void drawDevice(const HudStats& hud) {
     constexpr int most = 34;
     ImGui::TextDisabled("%.*s%s", most, hud.device.c_str(), hud.device.size() > most ? "..." : "");

@@ -95,7 +95,7 @@ void drawPlacement(Workspace& w, InstanceDescription& scan, Vec3 centre) {
         Vec3 axis;
     } turns[] = {{"Turn about X", {1, 0, 0}}, {"Turn about Y", {0, 1, 0}}, {"Turn about Z", {0, 0, 1}}};
     for (const auto& turn : turns) {
-        double degrees = 0; // each drag rotates further
+        double degrees = 0; // each drag rotates on from there
         const bool changed = dragRow(turn.name, degrees, {-180, 180}, kDegreesAUnit, "%.2f\u00b0",
                                      "about the scan's middle; drag, or Ctrl + click to type degrees");
         if (reportSceneEdit(w, changed)) placement = turned(placement, centre, turn.axis, degrees);
@@ -105,7 +105,7 @@ void drawPlacement(Workspace& w, InstanceDescription& scan, Vec3 centre) {
         placement = scaledTo(placement, centre, scale);
 }
 
-/// Offers to bake the scans again with another kind of splats: with other splats, cells have other lists.
+/// Offers to bake the scans again with another kind of splats, since the lists of cells depend on the kind.
 void drawSplatKind(Workspace& w) {
     if (!w.may_bake_again) return;
     constexpr struct {
@@ -222,7 +222,7 @@ void drawAddShape(Workspace& w) {
     ImGui::EndPopup();
 }
 
-/// Neither name nor lock change the picture, so they request no update.
+/// Name and lock do not change the picture, so they request no update.
 void drawSelected(Workspace& w, LayerId id) {
     Layer& layer = layerAt(w.scene, id);
     textRow("Name", layer.name, layerName(w.scene, id).c_str(), "in lists, and for --hide");

@@ -14,7 +14,7 @@ std::string shownLength(const Workspace& w, double value, double size);
 std::string shownArea(const Workspace& w, double value, double size);
 /// "1.0  2.0  3.0 m"
 std::string shownPoint(const Workspace& w, Vec3 point, double size);
-/// number, a format such as "%.4g", followed by the unit.
+/// A format for lengths: number, such as "%.4g", followed by the unit.
 std::string lengthFormat(const Workspace& w, const char* number);
 
 } // namespace pointrt

@@ -11,8 +11,8 @@ namespace pointrt {
 
 /// Decimals to resolve 1e-4 of size: 0 to 9.
 int decimalsFor(double size);
-/// The size to format measured positions with: they resolve 1e-6 of the scene, twice the 2^-21 that a scan's positions
-/// are rounded to.
+/// The size with which to format measured positions: digits then resolve 1e-6 of the scene, twice the 2^-21 to which a
+/// scan's positions are rounded.
 constexpr double measuredSize(double scene_size) { return 1e-2 * scene_size; }
 /// A length or coordinate in a scene of this size.
 std::string lengthText(double value, double size);

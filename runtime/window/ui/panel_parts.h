@@ -56,7 +56,7 @@ struct FreeArea {
 /// The handles of the selected layer, if a section shows it: arrows to drag it along the axes, arcs to rotate it about
 /// them. Call it after the panel.
 void drawGizmo(Workspace& w);
-/// Over the picture, with the measurements of the scene:
+/// Draws the picked points and the scene's measurements over the picture.
 void drawPickMarks(const Workspace& w);
 /// Buttons of the most used actions, along the upper edge. Returns the lower edge.
 float drawToolbar(Workspace& w, FreeArea area);
@@ -64,7 +64,7 @@ float drawToolbar(Workspace& w, FreeArea area);
 void drawHud(const Workspace& w, FreeArea area, float top);
 /// Properties of the last of w.picks, which must not be empty.
 void drawLastPick(const Workspace& w);
-/// The legend of the current colours, if any, lower left corner.
+/// The legend of the current colours, if any, in the lower left corner.
 void drawLegendBox(const Workspace& w, FreeArea area);
 void drawCheatSheet(Workspace& w, FreeArea area);
 /// All commands, found by their words.
@@ -75,7 +75,7 @@ void drawBrowser(Workspace& w, FreeArea area);
 void drawJobAndNotices(Workspace& w, FreeArea area);
 /// In the middle while no scene is open: what is being opened, or how to open something.
 void drawEmptyState(Workspace& w, FreeArea area);
-/// A button that leads back if no scan is in view.
+/// A button that leads back to the scans, if none is in view.
 void drawWayBack(Workspace& w, FreeArea area);
 /// The question, if any, over everything else.
 void drawQuestion(Workspace& w);

@@ -13,14 +13,14 @@
 
 namespace pointrt {
 
-/// ImGui samples keys and buttons once per frame. So a release in the same frame as its press is delayed to the next
+/// ImGui samples keys and buttons once per frame, so a release in the same frame as its press is delayed to the next
 /// frame.
 struct UiInput {
     std::array<bool, 3> pressed{}, released{}; ///< buttons, in this frame
     std::vector<Key> pressed_keys, released_keys;
 };
 
-/// The key as ImGui numbers it. With recent versions of ImGui: ImGuiKey_None unless the key is used to edit text.
+/// ImGui's number of the key. With recent versions of ImGui, ImGuiKey_None unless the key is used to edit text.
 ImGuiKey uiKey(Key key);
 
 /// Sets up the current ImGui context's keys for text editing. Once, before the first event.

@@ -89,7 +89,7 @@ void setControls(ImVec4* colors) {
     colors[ImGuiCol_HeaderHovered] = grey(0.25f);
     colors[ImGuiCol_HeaderActive] = accent(0.55f);
     colors[ImGuiCol_CheckMark] = accent(1);
-    colors[ImGuiCol_SliderGrab] = accent(0.55f); // a share of it, as numbers are drawn on top
+    colors[ImGuiCol_SliderGrab] = accent(0.55f); // translucent, since numbers are drawn on top
     colors[ImGuiCol_SliderGrabActive] = accent(0.8f);
     colors[ImGuiCol_PlotHistogram] = accent(0.9f);
     colors[ImGuiCol_NavHighlight] = accent(1);
