@@ -8,13 +8,13 @@
 namespace pointrt {
 namespace {
 
-constexpr std::string_view kDashes = "--";
+constexpr std::string_view kOptionPrefix = "--";
 constexpr std::string_view kOptionLetters = "abcdefghijklmnopqrstuvwxyz-";
 constexpr std::string_view kBeforeWords = " (\"";
 
 bool startsOption(const std::string& message, std::size_t at) {
     const bool starts_word = at == 0 || kBeforeWords.find(message[at - 1]) != std::string_view::npos;
-    return starts_word && message.compare(at, kDashes.size(), kDashes) == 0;
+    return starts_word && message.compare(at, kOptionPrefix.size(), kOptionPrefix) == 0;
 }
 
 } // namespace
@@ -26,7 +26,7 @@ std::string withSettingNames(const std::string& message) {
             named += message[at++];
             continue;
         }
-        const std::size_t start = at + kDashes.size();
+        const std::size_t start = at + kOptionPrefix.size();
         at = std::min(message.find_first_not_of(kOptionLetters, start), message.size());
         std::string name = message.substr(start, at - start);
         std::replace(name.begin(), name.end(), '-', '_');

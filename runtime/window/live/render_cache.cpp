@@ -203,14 +203,14 @@ void RenderCache::gatherRow(std::uint32_t tile_row) {
 }
 
 void RenderCache::invalidateLighting(bool shapes, std::uint32_t frame) {
-    constexpr std::uint32_t kErrorDecay =
+    constexpr std::uint32_t kKeptFlags =
         kPointIsSky | kPointViewDependent | kPointInterpolated | kPointOnShape | kPointInvalid;
     const std::uint32_t old = (frame - kStaleLightAge) & kPointFrameMask;
     for (std::uint32_t i = 0; i < point_count_; ++i) {
         std::uint32_t& info = points_.info[i];
         // sets the sample count to 0, so that the next sample replaces the colour
         const std::uint32_t age = (frame - info) & kPointFrameMask;
-        info = (info & kErrorDecay) | (age < kStaleLightAge ? old : info & kPointFrameMask);
+        info = (info & kKeptFlags) | (age < kStaleLightAge ? old : info & kPointFrameMask);
         if (shapes && (info & kPointOnShape) != 0) info |= kPointInvalid;
     }
 }
