@@ -150,7 +150,7 @@ std::string signatureDifference(const std::string& before, const std::string& no
         const std::string_view was = takeEntry(old_text), is = takeEntry(new_text);
         if (was == is) continue;
         const std::string_view entry = is.empty() ? was : is;
-        return std::string(entry.substr(0, entry.find('='))) + " was " + valueOf(was) + ", but is now " + valueOf(is);
+        return std::string(entry.substr(0, entry.find('='))) + " was " + valueOf(was) + " but is now " + valueOf(is);
     }
     return "";
 }

@@ -368,7 +368,7 @@ TEST_F(FilmFile, ImpossibleHeadersAreRefused) {
     expectReason("pixel type", patched(whole, "channels", list + 2, 3));
     expectReason("subsampled", patched(whole, "channels", list + 2 + 8, 2));
     expectReason("compression", patched(whole, "compression", byte, five_and_dat));
-    expectReason("tiles", patched(whole, std::string("\x76\x2f\x31\x01"), 0, 0x202));
+    expectReason("tiled", patched(whole, std::string("\x76\x2f\x31\x01"), 0, 0x202));
     expectReason("unexpected end", patched(whole, "chlist", 1, 2147483647));
 }
 

@@ -81,7 +81,7 @@ TEST_F(PlanView, RefusesWhatIsNoPlan) {
     EXPECT_NE(refusal().find("axis"), std::string::npos);
     folder.write("empty.toml", "[[instance]]\nfile = \"plane.pro\"\nvisible = false\n");
     options.scene = folder.file("empty.toml");
-    EXPECT_NE(refusal().find("no scan"), std::string::npos);
+    EXPECT_NE(refusal().find("no visible scan"), std::string::npos);
 }
 
 /// A plane of 97.28 m, and beside it one of half the size, turned a quarter to the left about the origin of the map.
