@@ -204,7 +204,7 @@ TEST_F(MeasureCommand, DistancesBecomeAnAttributeOfACopy) {
     EXPECT_EQ(again.attributes().size(), 1u);
     EXPECT_NEAR(again.attribute("distance")->high, 0, 1e-3);
     ASSERT_EQ(run(POINTRT_RAYS " compare before.pro before.pro -q -o out.ply").code, 0);
-    expectRefused(2, "-o: *one scan*.ply", POINTRT_RAYS " compare before.pro out.ply -o other.pro");
+    expectRefused(2, "-o: *single .pro scan*.ply", POINTRT_RAYS " compare before.pro out.ply -o other.pro");
 }
 
 } // namespace
