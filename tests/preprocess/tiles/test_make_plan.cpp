@@ -68,7 +68,7 @@ TEST_F(SetTest, OtherOptionsAndInputsAreRefusedInOneLine) {
     requireSameInputs(plan, request.inputs);
     requireUnwritten(plan, request.inputs);
     request.settings = R"({"tile-splats":2000})";
-    EXPECT_HAS(reasonOf([&] { requireSameRequest(plan, request); }, ExitCode::kBadUsage), "1000 *--tile-splats*2000");
+    EXPECT_HAS(reasonOf([&] { requireSameRequest(plan, request); }, ExitCode::kBadUsage), "*--tile-splats *1000*2000");
     reasonOf([&] { requireSameInputs(plan, {input, input}); }, ExitCode::kBadInput);
     reasonOf([&] { requireSameInputs(plan, {folder.file("b.csv")}); }, ExitCode::kBadInput);
     writeHill("a.csv", 3001);

@@ -74,7 +74,7 @@ TEST_F(SplatsTest, SkiesAreDropped) {
     const Cloud cloud = readText("a.ply", plyHeader(201) + rows);
     EXPECT_EQ(cloud.positions.size(), 200u);
     EXPECT_EQ(cloud.points_filtered, 1u);
-    EXPECT_HAS(notesOf(cloud), "left out: 1 *sky");
+    EXPECT_HAS(notesOf(cloud), "left out: 1 *quarter of the scene");
 }
 
 TEST_F(SplatsTest, RoundOnesHaveNoNormal) {
