@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Pruning in rounds. A round keeps splats with a weight above a cutoff and probes every leaf; if the probes together
 // show more harm than allowed, the next round has a lower cutoff.
-#include <tbb/enumerable_thread_specific.h>
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <atomic>
 #include <cmath>
 
+#include "preprocess/cloud/per_thread.h"
 #include "preprocess/octree/leaf_pruner.h"
 #include "preprocess/octree/task_progress.h"
 

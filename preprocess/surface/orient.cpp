@@ -6,10 +6,10 @@
 #include <cmath>
 #include <map>
 #include <string>
-#include <tbb/enumerable_thread_specific.h>
 #include <tbb/parallel_for.h>
 
 #include "format/base/error.h"
+#include "preprocess/cloud/per_thread.h"
 #include "preprocess/surface/components.h"
 #include "preprocess/surface/orient_tree.h"
 

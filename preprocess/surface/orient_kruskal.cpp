@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "preprocess/cloud/per_thread.h"
 #include "preprocess/surface/orient_tree.h"
 
 #include <algorithm>
 #include <atomic>
 #include <cmath>
 #include <tbb/blocked_range.h>
-#include <tbb/enumerable_thread_specific.h>
 #include <tbb/parallel_for.h>
 #include <tbb/parallel_sort.h>
 

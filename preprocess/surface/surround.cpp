@@ -9,10 +9,10 @@
 #include <numbers>
 #include <optional>
 #include <span>
-#include <tbb/enumerable_thread_specific.h>
 #include <tbb/parallel_for.h>
 
 #include "preprocess/cloud/median.h"
+#include "preprocess/cloud/per_thread.h"
 #include "preprocess/surface/angle_gaps.h"
 #include "preprocess/surface/nearest_cache.h"
 #include "preprocess/surface/plane_fit.h"

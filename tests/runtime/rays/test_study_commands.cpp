@@ -146,7 +146,8 @@ TEST_F(StudyCommand, ResultsBecomeAttributesInTheOrderOfTheFile) {
     for (std::size_t i = 0; i < order.size(); ++i)
         ASSERT_NEAR(pro_attribute_value(hours, order[i]), std::stod(rows[i + 1][7]), 1e-4) << i;
     EXPECT_LT(hours->low, hours->high) << "they must differ to distinguish orders";
-    expectRefused(2, "-o: *single .pro scan*", POINTRT_RAYS " sun plane.pro tower.pro" + kDay + "--every 60 -o other.pro");
+    expectRefused(2, "-o: *single .pro scan*",
+                  POINTRT_RAYS " sun plane.pro tower.pro" + kDay + "--every 60 -o other.pro");
 }
 
 TEST_F(StudyCommand, ViewshedListsWhatObserversSee) {
