@@ -10,6 +10,8 @@ import sys
 
 BIN, BUILD = pathlib.Path(sys.argv[1]), pathlib.Path(sys.argv[2])
 OUTPUT = pathlib.Path("baked.pro")
+# Whether Rust is missing for Windows alone, so that its tools refuse LAZ and E57 (cmake/Rust.cmake).
+LACKS_RUST = "Without LAZ and E57" in (BUILD / "log").read_text()
 
 
 def answer(program, scan):
@@ -30,16 +32,23 @@ def difference(here, there):
     return f"{sum(a != b for a, b in zip(here[2], there[2]))} bytes differ"
 
 
+def isRefusedForRust(there):
+    return LACKS_RUST and there[0] == 3 and "install Rust" in there[1]
+
+
 def main():
-    baked, differing = 0, []
+    baked, refused, differing = 0, 0, []
     for scan in sys.argv[3:]:
         here = answer([BIN / "pointrt-bake"], scan)
         there = answer(["wine", BUILD / "bin/pointrt-bake.exe"], scan)
         baked += here[0] == 0
-        if here != there:
+        if isRefusedForRust(there):
+            refused += 1
+        elif here != there:
             differing.append(f"{scan}: {difference(here, there)}")
     print("\n".join(differing))
-    print(f"{len(sys.argv) - 3} inputs, {baked} baked, {len(differing)} otherwise in Windows")
+    print(f"{len(sys.argv) - 3} inputs, {baked} baked, {len(differing)} otherwise in Windows, "
+          f"{refused} not compared without Rust")
     sys.exit(bool(differing) or baked == 0)
 
 
