@@ -2,8 +2,8 @@
 // Linear light to display values: the formulas shared by image files (C++) and the window (GLSL).
 //
 // Highlights are compressed into [0, 1] by the Khronos PBR Neutral tone mapper
-// (https://github.com/KhronosGroup/ToneMapping, PBR_Neutral) without its toe, which removes the 4% of Fresnel reflection
-// that it assumes on every surface: here, matte surfaces have none and would be too dark.
+// (https://github.com/KhronosGroup/ToneMapping, PBR_Neutral) without its toe, which removes the 4% of Fresnel
+// reflection that it assumes on every surface: here, matte surfaces have none and would be too dark.
 #ifndef POINTRT_SHADERS_TONE_CURVE_H
 #define POINTRT_SHADERS_TONE_CURVE_H
 
