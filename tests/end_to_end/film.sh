@@ -74,12 +74,20 @@ case_resume_refuses_another_film() {
     expectError 1 "a.exr: " "${view[@]}" --spp 4 --resume -o out/a.exr
 }
 
+# untilTracing PID: waits until the viewer, started with -v, has its programs.
+untilTracing() {
+    until grep -q pipeline stderr; do
+        kill -0 "$1" || fail "it ended before it traced: $(tail -n 1 stderr)"
+        sleep 0.1
+    done
+}
+
 # interruptAtWork PICTURE: starts a render of many samples, and ends it by SIGTERM after a few.
 interruptAtWork() {
     local pid status=0
     "${view[@]}" -v --spp 65536 -o "$1" --stats stats.json 2>stderr &
     pid=$!
-    until grep -q pipeline stderr; do sleep 0.1; done
+    untilTracing "$pid"
     sleep 3 # pipelines take some tenths of a second
     kill -TERM "$pid"
     wait "$pid" || status=$?
@@ -122,7 +130,7 @@ case_interrupt_of_a_crowded_scene() {
     bakeCrowd
     pointrt-view crowd.pro -v --size 2048x2048 --spp 4 -o out/a.png 2>stderr &
     pid=$!
-    until grep -q pipeline stderr; do sleep 0.1; done
+    untilTracing "$pid"
     sleep 4
     start=$(date +%s%N)
     kill -TERM "$pid"
