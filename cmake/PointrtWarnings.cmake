@@ -19,7 +19,7 @@ if(MINGW)
   add_compile_options(-Wno-format -Wno-format-extra-args)
 endif()
 # With precompiled headers GCC's optimiser warns more about the library's own strings and vectors; all warnings examined were
-# false. Four kinds are turned off there, and the others are no errors. Builds without precompiled headers check all of them.
+# false. Four kinds are turned off there, and the others are not errors. Builds without precompiled headers check all of them.
 if(POINTRT_PRECOMPILE AND CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
   set(out_of_library array-bounds maybe-uninitialized stringop-overflow stringop-overread)
   foreach(warning IN LISTS out_of_library

@@ -68,7 +68,7 @@ constexpr std::size_t kMoreLevels = 2;
 
 /// In clouds of at least kManyPoints points, every 16th list is enough for shares of a hundredth and for quantiles.
 constexpr std::size_t kSampleStep = 16, kManyPoints = 16384;
-/// Of these, every fourth is probed.
+/// Every fourth of these is probed.
 constexpr std::size_t kProbeStep = 4;
 
 /// Points around a point, in its plane.

@@ -61,7 +61,8 @@ struct InstanceList {
     std::vector<ShapeDescription> shapes; ///< from scene files
 };
 
-/// The index in list.instances of a scene instance, or of one of its tiles if it is a set. Nullopt if there is none.
+/// Finds a scene instance or, if the instance is a tile set, one of its tiles. Returns its index in list.instances, or
+/// nullopt if the list does not contain it.
 std::optional<std::uint32_t> findInstance(const InstanceList& list, std::uint32_t scene_instance, std::uint32_t tile);
 
 } // namespace pointrt

@@ -19,7 +19,8 @@ static_assert(kLightKinds == 0 LIGHT_KINDS(COUNT_KIND), "LIGHT_KINDS lacks a kin
 #undef COUNT_KIND
 static_assert(kLightKinds <= MAX_LIGHT_KINDS);
 
-/// Calls visit(std::type_identity<L>{}) for the kind L with this number; returns fallback if there is none.
+/// Returns visit(std::type_identity<L>{}), where L is the light type numbered kind, or fallback if no type has that
+/// number.
 template <typename Visit, typename Value>
 Value ofKind(std::size_t kind, Value fallback, Visit&& visit) {
     eachLightKind([&](auto type, std::size_t number) {

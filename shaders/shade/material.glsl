@@ -249,8 +249,8 @@ Scattering sampleBsdf(Bsdf s, vec3 n, vec3 wo, vec3 u) {
                       refracts);
 }
 
-// For phong and whitted: the mirrored and the refracted ray. Of a glossy lobe, a share of (1 - roughness)^2 is treated
-// as a mirror. For a white surface, the two weights and smoothAlbedo add up to 1.
+// The reflected and the refracted ray of phong and whitted. A fraction (1 - roughness)^2 of a glossy lobe is reflected
+// as by a mirror. For a white surface, the two weights and smoothAlbedo add up to 1.
 SpecularPair specularPair(Bsdf s, vec3 n, vec3 wo) {
     return SpecularPair(reflect(-wo, n), s.reflect_chance * s.reflect_tint + s.mirrored * s.glossy_albedo,
                         refractedThrough(s, n, wo), s.refract_chance * s.albedo);

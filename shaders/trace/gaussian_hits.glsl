@@ -136,7 +136,7 @@ GaussianHit takeHit(inout GaussianHits hits, bool going) {
 // Whether this pass may find more hits.
 bool mayContinue(GaussianHits hits) { return !hasWalked(hits) || hits.waiting[0].t < endOf(hits); }
 
-// The next hit in order. If there is none, call again while mayContinue.
+// Returns the next hit along the ray, or kNoGaussianHit if it is not known yet: call again while mayContinue is true.
 GaussianHit nextHit(inout GaussianHits hits, bool going) {
     nextList(hits, going);
     insertHit(hits, nextPeak(hits, going));

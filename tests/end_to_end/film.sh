@@ -63,7 +63,7 @@ case_resume_refuses_another_film() {
     bakeSphere
     expectDone "${view[@]}" -q --spp 2 -o out/a.exr
     cp out/a.exr before.exr
-    expectError 1 "a.exr: .*seed .*0.* 1" "${view[@]}" --spp 4 --seed 1 --resume -o out/a.exr
+    expectError 1 "a.exr: .*seed .*0 .*1" "${view[@]}" --spp 4 --seed 1 --resume -o out/a.exr
     expectError 1 "a.exr: .*bounces .*4 .*2" "${view[@]}" --spp 4 --bounces 2 --resume -o out/a.exr
     expectError 1 "a.exr: .*camera" "${view[@]}" --spp 4 --eye 1,2,3 --resume -o out/a.exr
     sphere 2999 >sphere.xyz

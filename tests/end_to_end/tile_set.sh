@@ -102,7 +102,7 @@ case_a_finished_set_stays() {
 
 case_other_options_and_inputs_are_refused() {
     bakeHills out/site.proset --step plan
-    expectError 2 "site.proset.work: .*--tile-splats.*1000.* 2000.*; --force " \
+    expectError 2 "site.proset.work: .*--tile-splats .*1000, not 2000\); --force " \
         pointrt-bake -q a.xyz b.xyz -o out/site.proset --tile-splats 2000
     expectError 1 "site.proset.work: .*2 input files.*1" \
         pointrt-bake -q a.xyz -o out/site.proset --tile-splats 1000

@@ -126,7 +126,7 @@ case_only_pictures_left_to_us_are_path_traced() {
 case_films_differ_by_colours() {
     bakeHill
     expectDone pointrt-view -q hill.pro -o film.exr --size 32x24 --spp 2 --color-by normal
-    expectError 1 "color_by .*normal.* height" \
+    expectError 1 "color_by .*normal .*height" \
         pointrt-view -q hill.pro -o film.exr --resume --size 32x24 --spp 4 --color-by height
 }
 

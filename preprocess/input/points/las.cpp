@@ -180,8 +180,9 @@ bool isBeyondHeader(const LasFile& file, const Sink& sink) {
     return false;
 }
 
-/// Reads points with all attributes, and the frame from the header and records. Of a COPC file, reads only nodes that
-/// overlap the filter's bounds and are no finer than the sink's level.
+/// Reads the points with all their attributes, and the coordinate frame from the header and the variable-length
+/// records. In a COPC file, reads only octree nodes that overlap the filter's bounds and are no finer than the sink's
+/// level.
 void readLas(const InputFile& input, Sink& sink) {
     LasFile file = openLasInput(input, sink);
     const std::vector<LasField> fields = lasFields(file);

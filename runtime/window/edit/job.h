@@ -65,7 +65,7 @@ public:
     std::string error() const;
     /// The exit code for error().
     ExitCode errorCode() const;
-    /// The Error that the job failed with, of the type that was thrown; null if there is none.
+    /// The exception that ended the job, with its original type; null if the job did not fail.
     std::exception_ptr thrown() const;
     JobStatus status() const;
 

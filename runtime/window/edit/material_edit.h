@@ -28,9 +28,9 @@ bool isMaterialNamed(const SceneDescription& scene, const std::string& name);
 /// A default material of this kind, with the scan's own colours if the kind has colours.
 MaterialDescription freshMaterial(MaterialKind kind);
 
-/// Gives the instances a material of this kind that nothing else uses, or their files' materials if kind is none.
-/// Modifies their current material if nothing else uses it, otherwise adds one. Returns false and changes nothing if
-/// the scene has the maximum number of materials.
+/// Assigns the instances a material of this kind, not shared with other instances or shapes. Without a kind, they get
+/// the materials of their files again. Modifies their current material if nothing else uses it, otherwise adds one.
+/// Returns false and changes nothing if the scene has the maximum number of materials.
 bool setScanMaterial(SceneDescription& scene, InstanceRange range, std::optional<MaterialKind> kind);
 
 } // namespace pointrt

@@ -6,8 +6,10 @@
 
 namespace pointrt {
 
-/// key: GLFW's code; name: the key's name in the keyboard layout, null if there is none. Letters follow the layout, so
-/// that Ctrl+C is where the user expects it; keys of the keypad are digits.
+/// Maps a GLFW key to a Key. Letters follow the keyboard layout, so that Ctrl+C is where the user expects it; keypad
+/// keys map to digits.
+/// @param key GLFW_KEY_...
+/// @param name the key's label in the layout (glfwGetKeyName); null for keys that print nothing
 Key keyFromGlfw(int key, const char* name);
 
 } // namespace pointrt
